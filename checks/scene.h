@@ -1,0 +1,40 @@
+// A model made ready for measuring: what several checks need is built once and shared.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "checks/frame.h"
+#include "checks/interval.h"
+#include "gpu/device.h"
+#include "model/adjacency.h"
+#include "model/model.h"
+
+namespace gabarit {
+
+class Scene {
+ public:
+  Scene(const Model& model, Device device);
+
+  const Model& model() const { return *model_; }
+  const TriangleMesh& mesh() const { return model_->mesh; }
+  const Device& device() const { return device_; }
+  // Adjacency of the whole mesh through T-junctions; built at the first call, safe from several threads.
+  const Adjacency& adjacency() const;
+
+ private:
+  struct Shared;
+  const Model* model_;
+  Device device_;
+  std::shared_ptr<Shared> shared_;
+};
+
+// What a rule file says about the model and the place a selector stands in.
+struct Setup {
+  Frame frame;
+  double sag = 0.1;      // mm
+  Interval height_band;  // above ground: `height` selectors beside a contact say how far the probe reaches
+  std::function<void(double fraction)> progress;  // may be empty
+};
+
+}  // namespace gabarit
