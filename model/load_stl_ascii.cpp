@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "model/load_stl.h"
+#include "model/text_encoding.h"
+#include "model/weld.h"
+
+namespace gabarit {
+namespace {
+
+// Words of the file, lower-cased by comparison; comments (#, ; and //) end at the end of their line.
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) {}
+
+  std::string_view next() {
+    skip_blank();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !blank(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  std::string_view rest_of_line() {
+    const std::size_t begin = std::min(at_, text_.size());
+    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
+    std::string_view rest = text_.substr(begin, at_ - begin);
+    while (!rest.empty() && blank(rest.front())) rest.remove_prefix(1);
+    while (!rest.empty() && blank(rest.back())) rest.remove_suffix(1);
+    return rest;
+  }
+
+  // Counted only when somebody asks, which is when something is wrong. CR, LF and CRLF each end a line.
+  int line() const {
+    int lines = 1;
+    for (std::size_t i = 0; i < std::min(at_, text_.size()); ++i) {
+      if (text_[i] == '\n' || (text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'))) ++lines;
+    }
+    return lines;
+  }
+
+ private:
+  static bool blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+  void skip_blank() {
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      const bool slashes = c == '/' && at_ + 1 < text_.size() && text_[at_ + 1] == '/';
+      if (c == '#' || c == ';' || slashes) {
+        rest_of_line();
+      } else if (blank(c)) {
+        ++at_;
+      } else {
+        return;
+      }
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+bool is(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+bool read_number(std::string_view word, double& value) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || word.empty()) return false;
+  if (error == std::errc::result_out_of_range) {
+    // Too large is not finite, which is counted as a defect; too small is zero.
+    const bool large = word.find("e-") == std::string_view::npos && word.find("E-") == std::string_view::npos;
+    value = large ? std::numeric_limits<double>::infinity() : 0.0;
+    return true;
+  }
+  return error == std::errc{};
+}
+
+class AsciiStl {
+ public:
+  AsciiStl(std::string_view text, const std::string& file, double scale, Model& model)
+      : words_(text),
+        file_(file),
+        scale_(scale),
+        model_(model),
+        weld_(model.mesh.vertices, text.size() / 500) {}
+
+  Diagnostics read() {
+    for (std::string_view word = words_.next(); !word.empty() && errors_.empty(); word = words_.next()) {
+      if (is(word, "solid")) {
+        begin_solid();
+      } else if (is(word, "endsolid")) {
+        words_.rest_of_line();
+        in_solid_ = false;
+      } else if (is(word, "facet")) {
+        facet();
+      } else {
+        fail(word, "'solid', 'facet' or 'endsolid'");
+      }
+    }
+    return errors_;
+  }
+
+ private:
+  void fail(std::string_view found, const std::string& wanted) {
+    if (!errors_.empty()) return;
+    const std::string what =
+        found.empty() ? "the file ends" : fmt::format("found '{}'", valid_utf8(found.substr(0, 40)));
+    errors_.push_back({.file = file_,
+                       .line = words_.line(),
+                       .column = 1,
+                       .message = fmt::format("{} where {} should stand", what, wanted)});
+  }
+
+  void begin_solid() {
+    std::string_view given = words_.rest_of_line();
+    // Exporters write comments behind the name.
+    if (const auto comment = given.find('#'); comment != std::string_view::npos)
+      given = given.substr(0, comment);
+    while (given.ends_with(' ') || given.ends_with('\t')) given.remove_suffix(1);
+    const std::string name = valid_utf8(given);
+    if (name != given) {
+      model_.warnings.push_back({.level = Diagnostic::Level::warning,
+                                 .file = file_,
+                                 .line = words_.line(),
+                                 .column = 1,
+                                 .message = "the solid's name is not UTF-8; unreadable bytes were replaced"});
+    }
+    model_.bodies.push_back(name.empty() ? fmt::format("solid {}", model_.bodies.size() + 1) : name);
+    in_solid_ = true;
+  }
+
+  void expect(std::string_view wanted) {
+    if (!errors_.empty()) return;
+    if (const std::string_view word = words_.next(); !is(word, wanted))
+      fail(word, fmt::format("'{}'", wanted));
+  }
+
+  double number() {
+    double value = 0;
+    if (!errors_.empty()) return value;
+    if (const std::string_view word = words_.next(); !read_number(word, value)) fail(word, "a number");
+    return value;
+  }
+
+  void facet() {
+    if (!in_solid_) begin_unnamed();
+    expect("normal");
+    for (int i = 0; i < 3; ++i) number();
+    expect("outer");
+    expect("loop");
+    std::array<Vec3d, 3> corners{};
+    for (Vec3d& corner : corners) {
+      expect("vertex");
+      corner.x = number(), corner.y = number(), corner.z = number();
+      corner *= scale_;
+    }
+    expect("endloop");
+    expect("endfacet");
+    if (!errors_.empty()) return;
+    std::array<VertexId, 3> numbers{};
+    weld_.add(corners, numbers.data());
+    model_.mesh.facets.push_back(numbers);
+    model_.mesh.body.push_back(static_cast<std::uint32_t>(model_.bodies.size() - 1));
+  }
+
+  void begin_unnamed() {
+    model_.bodies.push_back(fmt::format("solid {}", model_.bodies.size() + 1));
+    in_solid_ = true;
+  }
+
+  Words words_;
+  std::string file_;
+  double scale_;
+  Model& model_;
+  VertexWeld weld_;
+  Diagnostics errors_;
+  bool in_solid_ = false;
+};
+
+}  // namespace
+
+Diagnostics load_ascii_stl(std::string_view text, const std::string& name, double scale, Model& model) {
+  model.format = "ASCII STL";
+  return AsciiStl(text, name, scale, model).read();
+}
+
+}  // namespace gabarit
