@@ -1,10 +1,14 @@
 #include <array>
 
 #include "checks/check.h"
+#include "checks/vertical_cylinder_contact.h"
 
 namespace gabarit {
 
-std::span<const Selector* const> all_selectors() { return {}; }
+std::span<const Selector* const> all_selectors() {
+  static constexpr std::array all{&vertical_cylinder_contact_selector};
+  return all;
+}
 
 std::span<const Measure* const> all_measures() { return {}; }
 

@@ -163,6 +163,11 @@ TriangleMesh mesh(const Triangles& triangles) {
   for (const Triangle& t : triangles) {
     std::array<VertexId, 3> facet{};
     for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_finite(t[i])) {  // never equal to another
+        facet[i] = static_cast<VertexId>(mesh.vertices.size());
+        mesh.vertices.push_back(t[i]);
+        continue;
+      }
       const auto [place, fresh] = known.try_emplace({t[i].x + 0.0, t[i].y + 0.0, t[i].z + 0.0},
                                                     static_cast<VertexId>(mesh.vertices.size()));
       if (fresh) mesh.vertices.push_back(t[i]);

@@ -1,0 +1,35 @@
+// The path of the centre of a disk that rolls along an outline from outside: where it touches and overlaps
+// nothing.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "checks/outline_features.h"
+#include "gpu/device.h"
+
+namespace gabarit {
+
+// A piece of the path: an arc around a point of the outline or a line beside one of its edges.
+struct PathPiece {
+  Point2 from, to;
+  Point2 centre;                        // of an arc
+  double from_angle = 0, to_angle = 0;  // of an arc, ascending
+  bool arc = false;
+  Point2 foot;                  // a point of the feature that is touched at `from`
+  std::uint32_t component = 0;  // of the path; pieces that join end to end share it
+};
+
+struct DiskPath {
+  double radius = 0;
+  std::vector<PathPiece> pieces;     // reachable from outside only
+  std::uint32_t components = 0;      // of the reachable path
+  std::uint32_t closed_pockets = 0;  // components that no disk from outside can reach
+};
+
+// The boundary of the part of { c : dist(c, outline) >= radius } that is connected to infinity. Gaps of
+// exactly 2 * radius are open: whether two features leave room for the disk is decided exactly; positions are
+// good to about 1e-9 mm.
+DiskPath disk_path(const OutlineFeatures& outline, double radius, const Device& device);
+
+}  // namespace gabarit

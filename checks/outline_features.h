@@ -1,0 +1,31 @@
+// The points and edges in plan that a column can touch: what is left of the projected sides after welding and
+// after dropping those with projected facets on both sides.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "checks/plan.h"
+#include "model/triangle_mesh.h"
+
+namespace gabarit {
+
+// A side of a projected facet, and where it comes from.
+struct PlanSide {
+  Point2 from, to;
+  FacetId facet;
+  std::uint8_t edge;  // of the facet; 3: where the height band cuts it
+  int turn;  // 1: the rest of the facet lies left of the side, -1: right, 0: it projects to the side itself
+};
+
+struct OutlineFeatures {
+  std::vector<Point2> points;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // of points; never the same point twice
+};
+
+// Sides that are equal in plan count once. An edge with projected area strictly on both sides lies inside the
+// projection: no column can touch its inner points (orientations are exact). Points of no edge that is left
+// are dropped with it, isolated points stay.
+OutlineFeatures outline_features(const std::vector<PlanSide>& sides);
+
+}  // namespace gabarit

@@ -1,0 +1,225 @@
+#include "checks/vertical_cylinder_contact.h"
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "checks/certified.h"
+#include "checks/contact_depth.h"
+#include "checks/reach_grid.h"
+#include "checks/sweep.h"
+
+namespace gabarit {
+namespace {
+
+// 1 or -1 when the polygon lies strictly to one side of its side i.
+int turn_of(const PlanPolygon& polygon, int i) {
+  const Point2 a = polygon.corner[static_cast<std::size_t>(i)];
+  const Point2 b = polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)];
+  for (int k = 2; k < polygon.size; ++k) {
+    const int side = side_of_line(a, b, polygon.corner[static_cast<std::size_t>((i + k) % polygon.size)]);
+    if (side != 0) return side;
+  }
+  return 0;
+}
+
+std::vector<PlanSide> reachable_sides(const PlanProjection& plan, const VerticalCylinder& column,
+                                      double sag) {
+  std::vector<PlanSide> sides;
+  const ReachGrid grid(plan, column.radius - sag, column.radius + sag, column.tolerance);
+  for (FacetId f = 0; f < plan.facet_count(); ++f) {
+    const PlanPolygon polygon = plan.polygon(f);
+    if (polygon.size == 0 || !grid.reached(polygon)) continue;
+    for (int i = 0; i < polygon.size; ++i) {
+      const auto corner = static_cast<std::size_t>(i);
+      sides.push_back({polygon.corner[corner],
+                       polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)], f,
+                       polygon.edge[corner], turn_of(polygon, i)});
+    }
+  }
+  return sides;
+}
+
+// Rear-facing by more than float noise on a side wall.
+constexpr double rear_facing = 1e-3;
+
+Selected state(bool nominal, bool smaller, bool larger) {
+  if (nominal && smaller && larger) return Selected::yes;
+  return nominal || smaller || larger ? Selected::maybe : Selected::no;
+}
+
+Trace trace_of(const PathPiece& piece, double radius, const Frame& frame) {
+  Trace trace{.name = "path of the column's axis", .points = {}, .closed = false};
+  const auto add = [&](Point2 p) { trace.points.push_back(frame.from_vehicle({p.x, p.y, 0})); };
+  const double turn = piece.to_angle - piece.from_angle;
+  const double step = 2 * std::acos(std::max(0.0, 1 - 1 / radius));  // 1 mm sag
+  const int steps = piece.arc ? 1 + static_cast<int>(turn / step) : 1;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const double angle = piece.from_angle + turn * t;
+    add(piece.arc ? piece.centre + Point2{std::cos(angle), std::sin(angle)} * radius
+                  : piece.from + (piece.to - piece.from) * t);
+  }
+  return trace;
+}
+
+// The lowest depth and, for each of the three radii, whether it is touched; of a facet and of its edges.
+struct Touch {
+  std::array<bool, 3> facet{};
+  std::array<std::array<bool, 3>, 3> edge{};  // by edge, then radius
+};
+
+void select(Region& region, const std::vector<PlanSide>& sides,
+            const std::array<std::vector<float>, 3>& depth) {
+  const auto touches = [&](std::size_t radius, std::size_t side) {
+    return depth[radius][side] < std::numeric_limits<float>::infinity();
+  };
+  for (std::size_t begin = 0; begin < sides.size();) {
+    const FacetId f = sides[begin].facet;
+    Touch touch;
+    for (; begin < sides.size() && sides[begin].facet == f; ++begin) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!touches(k, begin)) continue;
+        touch.facet[k] = true;
+        if (sides[begin].edge < 3) touch.edge[sides[begin].edge][k] = true;
+      }
+      region.depth[f] = std::min(region.depth[f], depth[0][begin]);
+    }
+    region.facets[f] = state(touch.facet[0], touch.facet[1], touch.facet[2]);
+    for (std::size_t e = 0; e < 3; ++e)
+      region.edges[f][e] = state(touch.edge[e][0], touch.edge[e][1], touch.edge[e][2]);
+  }
+}
+
+void drop_rear_facing(Region& region, const TriangleMesh& mesh, const Frame& frame) {
+  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    if (region.facets[f] == Selected::no) continue;
+    if (frame.direction_to_vehicle(facet_normal(mesh, f)).x <= rear_facing) continue;
+    region.facets[f] = Selected::no;
+    region.edges[f].fill(Selected::no);
+  }
+}
+
+void add_notes(Region& region, const std::array<DiskPath, 3>& paths) {
+  std::size_t maybe = 0;
+  for (const Selected s : region.facets) maybe += s == Selected::maybe;
+  const DiskPath& nominal = paths[0];
+  region.notes.push_back(
+      fmt::format("The column goes around {} separate part{} of the plan view; {} closed pocket{} cannot be "
+                  "reached from outside.",
+                  nominal.components, nominal.components == 1 ? "" : "s", nominal.closed_pockets,
+                  nominal.closed_pockets == 1 ? "" : "s"));
+  if (maybe > 0) {
+    region.notes.push_back(fmt::format(
+        "Whether {} facets are touched depends on the sag: a column larger or smaller by it touches others.",
+        maybe));
+  }
+}
+
+}  // namespace
+
+Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const VerticalCylinder& column) {
+  const TriangleMesh& mesh = scene.mesh();
+  const double sag = setup.sag;
+  if (!(column.radius > sag)) throw std::invalid_argument("the column's radius must be larger than the sag");
+  Region region;
+  region.facets.assign(mesh.facet_count(), Selected::no);
+  region.edges.assign(mesh.facet_count(), {Selected::no, Selected::no, Selected::no});
+  region.depth.assign(mesh.facet_count(), std::numeric_limits<float>::infinity());
+  const PlanProjection plan(mesh, setup.frame, setup.height_band, scene.device());
+  if (plan.empty()) return region;
+
+  const std::vector<PlanSide> sides = reachable_sides(plan, column, sag);
+  const OutlineFeatures outline = outline_features(sides);
+  std::array<DiskPath, 3> paths;
+  std::array<std::vector<float>, 3> depths;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double radius = column.radius + (k == 0 ? 0 : k == 1 ? -sag : sag);
+    paths[k] = disk_path(outline, radius, scene.device());
+    if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k], (plan.low().y + plan.high().y) / 2);
+    depths[k] = contact_depths(sides, paths[k], column.tolerance);
+    if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
+  }
+  select(region, sides, depths);
+  if (column.motion == Motion::forward) drop_rear_facing(region, mesh, setup.frame);
+  for (const PathPiece& piece : paths[0].pieces)
+    region.traces.push_back(trace_of(piece, paths[0].radius, setup.frame));
+  add_notes(region, paths);
+  return region;
+}
+
+static Region select_contact(const Scene& scene, const Setup& setup, const Arguments& arguments) {
+  VerticalCylinder column;
+  column.radius = arguments.number("diameter") / 2;
+  const std::string& motion = arguments.text("motion");
+  column.motion = motion == "forward" ? Motion::forward : motion == "sweep" ? Motion::sweep : Motion::any;
+  column.tolerance = std::max(1e-3, arguments.has("tolerance") ? arguments.number("tolerance") : setup.sag);
+  return vertical_cylinder_contact(scene, setup, column);
+}
+
+static std::string sentence(const Arguments& arguments) {
+  const std::string& motion = arguments.text("motion");
+  const char* how = motion == "forward" ? "while the vehicle moves forward"
+                    : motion == "sweep" ? "while it passes from front to rear on either side"
+                                        : "from any side";
+  return fmt::format("a vertical column of {:g} mm diameter can touch it {}", arguments.number("diameter"),
+                     how);
+}
+
+const Selector vertical_cylinder_contact_selector{
+    .name = "contact",
+    .variant = "vertical cylinder",
+    .summary = "What a vertical column that stands on the ground can touch from outside.",
+    .documentation =
+        "The model is clipped to the height band of the rule and projected to the ground. A disk of the "
+        "column's diameter rolls along "
+        "the projection from outside; what it touches is what the column can touch: the boundary of the "
+        "closing of the projection by "
+        "the disk. Pockets with a mouth narrower than the diameter stay closed, islands in open yards are "
+        "reached, holes are not.\n\n"
+        "A facet is touched when it comes nearer to the rolling column than the tolerance. The path is found "
+        "for the column's radius and "
+        "for the radius plus and minus the sag; what is touched by some of the three only is maybe selected "
+        "and can be undecided, never "
+        "failed.\n\n"
+        "motion: any takes every position of the column. forward drops the facets that face backwards, as "
+        "the paper does. sweep keeps the "
+        "positions of a column that passes from front to rear on either side, moving outwards freely and "
+        "inwards no faster than "
+        "rearwards (a reading of EU 44/2014, Annex VIII, 1.2).\n\n"
+        "A height selector beside this one, in the same all, says how far up and down the column reaches. "
+        "Removing what lies outside that "
+        "band can only uncover more of the rest.\n\n"
+        "Source: M. Inui, N. Umezu, Extraction of vertical cylinder contacting area for motorcycle safety "
+        "verification, Computer-Aided "
+        "Design and Applications. The paper samples the plan by dexels of 1 mm; here the path is exact.",
+    .parameters = {{.name = "probe",
+                    .dimension = Dimension::choice,
+                    .documentation = "The body that touches.",
+                    .default_text = {},
+                    .choices = {"vertical cylinder"}},
+                   {.name = "diameter",
+                    .dimension = Dimension::length,
+                    .documentation = "Of the column, such as 300 mm.",
+                    .default_text = {},
+                    .least = 0.01,
+                    .greatest = 1e6},
+                   {.name = "motion",
+                    .dimension = Dimension::choice,
+                    .documentation = "How the column moves along the vehicle.",
+                    .default_text = "any",
+                    .choices = {"any", "forward", "sweep"}},
+                   {.name = "tolerance",
+                    .dimension = Dimension::length,
+                    .documentation = "How near is touching; without it the sag, never less than 0.001 mm.",
+                    .default_text = {},
+                    .optional = true,
+                    .least = 1e-3,
+                    .greatest = 10}},
+    .select = select_contact,
+    .height_band = nullptr,
+    .sentence = sentence};
+
+}  // namespace gabarit
