@@ -18,11 +18,11 @@ enum class Dimension { length, area, angle, number, count, choice, text, point, 
 struct Parameter {
   std::string name;  // as written in a rule file, such as "separation"
   Dimension dimension = Dimension::length;
-  std::string documentation;                // one sentence
-  std::optional<std::string> default_text;  // as a user would write it; none: the parameter is required…
-  bool optional = false;                    // …unless it may be absent altogether
-  std::vector<std::string> choices = {};    // of a choice; of a direction: the names it also goes by
-  double least = -1e300;                    // smallest and greatest value allowed, inside units
+  std::string documentation;                     // one sentence
+  std::optional<std::string> default_text = {};  // as a user would write it; none: the parameter is required…
+  bool optional = false;                         // …unless it may be absent altogether
+  std::vector<std::string> choices = {};         // of a choice; of a direction: the names it also goes by
+  double least = -1e300;                         // smallest and greatest value allowed, inside units
   double greatest = 1e300;
 };
 

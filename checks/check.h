@@ -15,8 +15,8 @@ namespace gabarit {
 
 struct Selector {
   std::string name;  // the key in a rule file, such as "contact"
-  std::string
-      variant;  // value of its first parameter that picks this one, such as "vertical cylinder"; may be empty
+  // The value of its first parameter that picks this one, such as "vertical cylinder"; may be empty.
+  std::string variant = {};
   std::string summary;                // one sentence
   std::string documentation;          // definition, limits, source; paragraphs separated by empty lines
   std::vector<Parameter> parameters;  // the first may be given alone: `body: "tank"`
@@ -34,7 +34,7 @@ struct Measure {
   std::string documentation;
   std::string symbol;  // in tables and legends, such as "R" or "t"
   Dimension dimension = Dimension::length;
-  std::vector<Parameter> parameters;  // all named; the limit is not among them
+  std::vector<Parameter> parameters = {};  // all named; the limit is not among them
   Field (*measure)(const Scene&, const Setup&, const Region&, const Arguments&);
   std::string (*sentence)(const Arguments&) = nullptr;
 };
