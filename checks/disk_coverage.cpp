@@ -128,14 +128,39 @@ void edge_covers_line(const Line& c, double sign, Point2 a, Point2 b, const Line
   free.take_out(slab.from, slab.to);
 }
 
+// Takes out of [from, to] what the disk cannot get to anyway; `speed` is how fast the centre moves along the
+// parameter.
+template <class Position>
+void keep_reachable(const ReachGrid* reach, FreeIntervals& free, double from, double to, double speed,
+                    Position&& position) {
+  if (reach == nullptr) return;
+  const double stride = reach->spacing() / 2;
+  const int steps = 1 + static_cast<int>((to - from) * speed / stride);
+  const double step = (to - from) / steps;
+  for (int i = 0; i < steps;) {
+    // As far as no axis can be, the samples in between need not be asked.
+    const int begin = i;
+    for (double gap = 1; i < steps; i += 1 + static_cast<int>(gap / stride)) {
+      gap = reach->axis_gap(position(from + (i + 0.5) * step));
+      if (gap <= 0) break;
+    }
+    i = std::min(i, steps);
+    // The ends of the parameter are no cuts.
+    if (i > begin)
+      free.take_out(begin == 0 ? from - 1 : from + begin * step, i == steps ? to + 1 : from + i * step);
+    ++i;
+  }
+}
+
 // Covers a curve by what is near its own feature first, then by what is within R of the centres that are
 // left.
 template <class Position, class Cover>
 void cover(const FeatureGrid& grid, Point2 low, Point2 high, FreeIntervals& free, double step,
            Position&& position, Cover&& cover_by) {
   const double r = grid.radius();
-  const auto always = [](Point2, Point2) { return true; };
-  grid.squares().visit(low, high, 0, always, cover_by);
+  if (free.empty()) return;
+  grid.squares().visit(
+      low, high, 0, [&](Point2, Point2) { return !free.empty(); }, cover_by);
   if (free.empty()) return;
   const auto centres_left = [&] {
     Box2 left;
@@ -161,6 +186,15 @@ void cover(const FeatureGrid& grid, Point2 low, Point2 high, FreeIntervals& free
   grid.squares().visit(whole.low, whole.high, r, wanted, cover_by);
 }
 
+// A piece is cut when it ends where an interval of the reachable parameters did, not where another feature
+// begins.
+bool is_cut(const FreeIntervals& reachable, double from, double to, double first, double last) {
+  for (const auto& range : reachable.ranges()) {
+    if ((range.from == from && from > first) || (range.to == to && to < last)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 static std::vector<Segment2> segments_of(const OutlineFeatures& outline) {
@@ -171,8 +205,8 @@ static std::vector<Segment2> segments_of(const OutlineFeatures& outline) {
   return segments;
 }
 
-FeatureGrid::FeatureGrid(const OutlineFeatures& outline, double radius)
-    : outline_(&outline), radius_(radius), squares_(segments_of(outline), radius / 16) {}
+FeatureGrid::FeatureGrid(const OutlineFeatures& outline, double radius, const ReachGrid* reach)
+    : outline_(&outline), radius_(radius), reach_(reach), squares_(segments_of(outline), radius / 16) {}
 
 void free_arcs(const FeatureGrid& grid, std::uint32_t point, std::vector<PathPiece>& out) {
   const OutlineFeatures& outline = grid.outline();
@@ -182,6 +216,8 @@ void free_arcs(const FeatureGrid& grid, std::uint32_t point, std::vector<PathPie
   free.least = 1e-11;
   const auto points = static_cast<std::uint32_t>(outline.points.size());
   const auto position = [&](double angle) { return v + Point2{std::cos(angle), std::sin(angle)} * r; };
+  keep_reachable(grid.reach(), free, 0, 2 * pi, r, position);
+  const FreeIntervals reachable = free;
   cover(grid, v, v, free, 0.1, position, [&](std::uint32_t feature) {
     if (feature == point || free.empty()) return;
     if (feature < points) {
@@ -199,7 +235,8 @@ void free_arcs(const FeatureGrid& grid, std::uint32_t point, std::vector<PathPie
                    .from_angle = from,
                    .to_angle = to,
                    .arc = true,
-                   .foot = v});
+                   .foot = v,
+                   .cut = is_cut(reachable, from, to, 0, 2 * pi)});
   }
 }
 
@@ -214,6 +251,8 @@ void free_lines(const FeatureGrid& grid, std::uint32_t edge, std::vector<PathPie
     FreeIntervals free(0, c.length);
     free.least = 1e-9;
     const auto position = [&](double t) { return c.origin + c.normal * (sign * r) + c.along * t; };
+    keep_reachable(grid.reach(), free, 0, c.length, 1, position);
+    const FreeIntervals reachable = free;
     const Point2 low{std::min(a.x, b.x), std::min(a.y, b.y)};
     const Point2 high{std::max(a.x, b.x), std::max(a.y, b.y)};
     cover(grid, low, high, free, c.length, position, [&](std::uint32_t feature) {
@@ -227,8 +266,11 @@ void free_lines(const FeatureGrid& grid, std::uint32_t edge, std::vector<PathPie
       }
     });
     for (const auto& [from, to] : free.ranges()) {
-      out.push_back(
-          {.from = position(from), .to = position(to), .centre = {}, .foot = c.origin + c.along * from});
+      out.push_back({.from = position(from),
+                     .to = position(to),
+                     .centre = {},
+                     .foot = c.origin + c.along * from,
+                     .cut = is_cut(reachable, from, to, 0, c.length)});
     }
   }
 }

@@ -14,15 +14,17 @@ namespace gabarit {
 // The features of an outline in a grid: points first, then edges.
 class FeatureGrid {
  public:
-  FeatureGrid(const OutlineFeatures& outline, double radius);
+  FeatureGrid(const OutlineFeatures& outline, double radius, const ReachGrid* reach);
 
   const OutlineFeatures& outline() const { return *outline_; }
   const SegmentGrid& squares() const { return squares_; }
   double radius() const { return radius_; }
+  const ReachGrid* reach() const { return reach_; }  // may be null
 
  private:
   const OutlineFeatures* outline_;
   double radius_;
+  const ReachGrid* reach_;
   SegmentGrid squares_;
 };
 

@@ -6,9 +6,9 @@
 
 namespace gabarit {
 
-static std::vector<PathPiece> free_pieces(const OutlineFeatures& outline, double radius,
-                                          const Device& device) {
-  const FeatureGrid grid(outline, radius);
+static std::vector<PathPiece> free_pieces(const OutlineFeatures& outline, double radius, const Device& device,
+                                          const ReachGrid* reach) {
+  const FeatureGrid grid(outline, radius, reach);
   const std::size_t points = outline.points.size();
   std::vector<std::vector<PathPiece>> by_feature(points + outline.edges.size());
   struct Kernel {
@@ -31,15 +31,15 @@ static std::vector<PathPiece> free_pieces(const OutlineFeatures& outline, double
   return all;
 }
 
-DiskPath disk_path(const OutlineFeatures& outline, double radius, const Device& device) {
+DiskPath disk_path(const OutlineFeatures& outline, double radius, const Device& device,
+                   const ReachGrid* reach) {
   DiskPath path;
   path.radius = radius;
-  std::vector<PathPiece> all = free_pieces(outline, radius, device);
+  std::vector<PathPiece> all = free_pieces(outline, radius, device, reach);
   const std::vector<bool> reached = number_components(all, radius);
   std::vector<std::uint32_t> number(reached.size(), 0);
   for (std::size_t c = 0; c < reached.size(); ++c) {
-    number[c] = path.components;
-    (reached[c] ? path.components : path.closed_pockets) += 1;
+    if (reached[c]) number[c] = path.components++;
   }
   for (PathPiece& piece : all) {
     if (!reached[piece.component]) continue;

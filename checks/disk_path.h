@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "checks/outline_features.h"
+#include "checks/reach_grid.h"
 #include "gpu/device.h"
 
 namespace gabarit {
@@ -18,18 +19,20 @@ struct PathPiece {
   bool arc = false;
   Point2 foot;                  // a point of the feature that is touched at `from`
   std::uint32_t component = 0;  // of the path; pieces that join end to end share it
+  bool cut = false;             // goes on where no disk from outside can be
 };
 
 struct DiskPath {
   double radius = 0;
-  std::vector<PathPiece> pieces;     // reachable from outside only
-  std::uint32_t components = 0;      // of the reachable path
-  std::uint32_t closed_pockets = 0;  // components that no disk from outside can reach
+  std::vector<PathPiece> pieces;  // reachable from outside only
+  std::uint32_t components = 0;   // of the reachable path
 };
 
 // The boundary of the part of { c : dist(c, outline) >= radius } that is connected to infinity. Gaps of
 // exactly 2 * radius are open: whether two features leave room for the disk is decided exactly; positions are
 // good to about 1e-9 mm.
-DiskPath disk_path(const OutlineFeatures& outline, double radius, const Device& device);
+// `reach`, when given, saves looking at places that the disk cannot get to; it must hold for this radius.
+DiskPath disk_path(const OutlineFeatures& outline, double radius, const Device& device,
+                   const ReachGrid* reach = nullptr);
 
 }  // namespace gabarit

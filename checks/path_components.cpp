@@ -130,12 +130,18 @@ std::vector<bool> number_components(std::vector<PathPiece>& pieces, double radiu
     if (mine.at.x >= b.at.x - same_point)
       b.right_of_feature = std::min(b.right_of_feature, mine.right_of_feature);
   }
+  // What goes on out of reach is out of reach itself.
+  std::vector<bool> cut(pieces.size(), false);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].cut) cut[groups.root(i)] = true;
+  }
   const std::size_t infinity = pieces.size();
   UnionFind spaces(pieces.size() + 1);
   for (std::size_t i = 0; i < pieces.size(); ++i) spaces.join(i, groups.root(i));
   for (std::size_t root = 0; root < pieces.size(); ++root) {
     const Rightmost& start = best[root];
-    if (groups.root(root) != root || start.right_of_feature <= 0) continue;  // the free space lies inside
+    if (groups.root(root) != root || cut[root] || start.right_of_feature <= 0)
+      continue;  // the free space lies inside
     std::size_t hit = infinity;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -152,7 +158,7 @@ std::vector<bool> number_components(std::vector<PathPiece>& pieces, double radiu
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     std::uint32_t& n = number[groups.root(i)];
     if (n == 0) {
-      reached.push_back(spaces.root(i) == spaces.root(infinity));
+      reached.push_back(!cut[groups.root(i)] && spaces.root(i) == spaces.root(infinity));
       n = static_cast<std::uint32_t>(reached.size());
     }
     pieces[i].component = n - 1;

@@ -59,6 +59,15 @@ bool ReachGrid::reached(const PlanPolygon& polygon) const {
   return near;
 }
 
+// Places a quarter of a square apart lie in the same square or in neighbours, whose middles are at most a
+// diagonal apart.
+double ReachGrid::axis_gap(Point2 centre) const {
+  const Point2 at = (centre - origin_) * (1 / size_);
+  const bool inside =
+      at.x >= 0 && at.y >= 0 && at.x < static_cast<double>(columns_) && at.y < static_cast<double>(rows_);
+  return inside ? distance_[cell(centre)] - 1.5 * size_ : -1;
+}
+
 // From the border inwards, through corners as well.
 std::vector<std::uint8_t> ReachGrid::flood(const std::vector<float>& distance, double free) const {
   std::vector<std::uint8_t> reached(distance.size(), 0);

@@ -16,6 +16,10 @@ class ReachGrid {
 
   // Whether a column that came from outside can possibly come near any side of the polygon.
   bool reached(const PlanPolygon& polygon) const;
+  // No axis of such a column can stand nearer to `centre` than this and a quarter of spacing(); negative: it
+  // may.
+  double axis_gap(Point2 centre) const;
+  double spacing() const { return size_; }
 
  private:
   std::size_t cell(Point2 p) const;

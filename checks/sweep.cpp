@@ -58,10 +58,7 @@ class Front {
 }  // namespace
 
 DiskPath sweep_part(const DiskPath& path, double middle) {
-  DiskPath out{.radius = path.radius,
-               .pieces = {},
-               .components = path.components,
-               .closed_pockets = path.closed_pockets};
+  DiskPath out{.radius = path.radius, .pieces = {}, .components = path.components};
   for (const double side : {1.0, -1.0}) {
     const Front front(path, middle, side);
     for (const PathPiece& piece : path.pieces) {

@@ -25,10 +25,8 @@ int turn_of(const PlanPolygon& polygon, int i) {
   return 0;
 }
 
-std::vector<PlanSide> reachable_sides(const PlanProjection& plan, const VerticalCylinder& column,
-                                      double sag) {
+std::vector<PlanSide> reachable_sides(const PlanProjection& plan, const ReachGrid& grid) {
   std::vector<PlanSide> sides;
-  const ReachGrid grid(plan, column.radius - sag, column.radius + sag, column.tolerance);
   for (FacetId f = 0; f < plan.facet_count(); ++f) {
     const PlanPolygon polygon = plan.polygon(f);
     if (polygon.size == 0 || !grid.reached(polygon)) continue;
@@ -106,11 +104,8 @@ void add_notes(Region& region, const std::array<DiskPath, 3>& paths) {
   std::size_t maybe = 0;
   for (const Selected s : region.facets) maybe += s == Selected::maybe;
   const DiskPath& nominal = paths[0];
-  region.notes.push_back(
-      fmt::format("The column goes around {} separate part{} of the plan view; {} closed pocket{} cannot be "
-                  "reached from outside.",
-                  nominal.components, nominal.components == 1 ? "" : "s", nominal.closed_pockets,
-                  nominal.closed_pockets == 1 ? "" : "s"));
+  region.notes.push_back(fmt::format("The column goes around {} separate outline{} of the plan view.",
+                                     nominal.components, nominal.components == 1 ? "" : "s"));
   if (maybe > 0) {
     region.notes.push_back(fmt::format(
         "Whether {} facets are touched depends on the sag: a column larger or smaller by it touches others.",
@@ -131,13 +126,14 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
   const PlanProjection plan(mesh, setup.frame, setup.height_band, scene.device());
   if (plan.empty()) return region;
 
-  const std::vector<PlanSide> sides = reachable_sides(plan, column, sag);
+  const ReachGrid reach(plan, column.radius - sag, column.radius + sag, column.tolerance);
+  const std::vector<PlanSide> sides = reachable_sides(plan, reach);
   const OutlineFeatures outline = outline_features(sides);
   std::array<DiskPath, 3> paths;
   std::array<std::vector<float>, 3> depths;
   for (std::size_t k = 0; k < 3; ++k) {
     const double radius = column.radius + (k == 0 ? 0 : k == 1 ? -sag : sag);
-    paths[k] = disk_path(outline, radius, scene.device());
+    paths[k] = disk_path(outline, radius, scene.device(), &reach);
     if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k], (plan.low().y + plan.high().y) / 2);
     depths[k] = contact_depths(sides, paths[k], column.tolerance);
     if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
