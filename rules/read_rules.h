@@ -5,12 +5,14 @@
 #include <string>
 
 #include "model/result.h"
+#include "rules/catalogue.h"
 #include "rules/rule.h"
 
 namespace gabarit {
 
-Result<RuleSet> read_rules(const std::filesystem::path& file);
+Result<RuleSet> read_rules(const std::filesystem::path& file, const Catalogue& catalogue = {});
 // `name` stands for the file in messages.
-Result<RuleSet> read_rules_text(const std::string& text, const std::string& name);
+Result<RuleSet> read_rules_text(const std::string& text, const std::string& name,
+                                const Catalogue& catalogue = {});
 
 }  // namespace gabarit
