@@ -1,12 +1,17 @@
 #include <array>
 
+#include "checks/body.h"
+#include "checks/box.h"
 #include "checks/check.h"
+#include "checks/facing.h"
+#include "checks/height.h"
 #include "checks/vertical_cylinder_contact.h"
 
 namespace gabarit {
 
 std::span<const Selector* const> all_selectors() {
-  static constexpr std::array all{&vertical_cylinder_contact_selector};
+  static constexpr std::array all{&vertical_cylinder_contact_selector, &height_selector, &box_selector,
+                                  &facing_selector, &body_selector};
   return all;
 }
 

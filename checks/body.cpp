@@ -75,17 +75,18 @@ bool matches(std::string_view pattern, std::string_view name) {
   return p == pattern.size();
 }
 
-const Selector body_selector{
-    .name = "body",
-    .summary = "Facets of the bodies whose name fits a pattern.",
-    .documentation =
-        "The whole name must fit; `*` stands for any characters, `?` for one. The case of letters counts. A pattern "
-        "that begins with `*` is written in quotes.\n\n"
-        "A pattern that no body fits selects nothing and is noted in the report, with the names that there are.",
-    .parameters = {{.name = "name",
-                    .dimension = Dimension::text,
-                    .documentation = "The name, or a pattern such as \"tank*\"."}},
-    .select = select_body,
-    .sentence = sentence};
+const Selector body_selector{.name = "body",
+                             .summary = "Facets of the bodies whose name fits a pattern.",
+                             .documentation =
+                                 "The whole name must fit; `*` stands for any characters, `?` for one. The "
+                                 "case of letters counts. A pattern "
+                                 "that begins with `*` is written in quotes.\n\n"
+                                 "A pattern that no body fits selects nothing and is noted in the report, "
+                                 "with the names that there are.",
+                             .parameters = {{.name = "name",
+                                             .dimension = Dimension::text,
+                                             .documentation = "The name, or a pattern such as \"tank*\"."}},
+                             .select = select_body,
+                             .sentence = sentence};
 
 }  // namespace gabarit

@@ -53,8 +53,8 @@ Region select_box(const Scene& scene, const Setup&, const Arguments& arguments) 
 
 std::string sentence(const Arguments& arguments) {
   const auto [from, to] = box_of(arguments);
-  return fmt::format("it reaches into the box from ({}, {}, {}) to ({}, {}, {}) mm", from.x, from.y, from.z, to.x,
-                     to.y, to.z);
+  return fmt::format("it reaches into the box from ({}, {}, {}) to ({}, {}, {}) mm", from.x, from.y, from.z,
+                     to.x, to.y, to.z);
 }
 
 }  // namespace
@@ -91,10 +91,13 @@ const Selector box_selector{
     .name = "box",
     .summary = "Facets that reach into a box in the model's own coordinates.",
     .documentation =
-        "A facet is selected when any part of it lies in the box, its sides included; an edge likewise. The box is "
+        "A facet is selected when any part of it lies in the box, its sides included; an edge likewise. The "
+        "box is "
         "parallel to the axes of the model's file; the rule file's frame and ground do not move it.\n\n"
-        "The test is by separating axes (Akenine-Möller, \"Fast 3D triangle-box overlap testing\", 2001) with "
-        "slack for rounding: what misses the box by less than 1e-12 of its coordinates may be selected. A facet with "
+        "The test is by separating axes (Akenine-Möller, \"Fast 3D triangle-box overlap testing\", 2001) "
+        "with "
+        "slack for rounding: what misses the box by less than 1e-12 of its coordinates may be selected. A "
+        "facet with "
         "coordinates that are not finite is only maybe selected.",
     .parameters = {{.name = "from",
                     .dimension = Dimension::point,

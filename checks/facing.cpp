@@ -34,7 +34,7 @@ Region select_facing(const Scene& scene, const Setup& setup, const Arguments& ar
   for (FacetId f = 0; f < mesh.facet_count(); ++f) {
     const Vec3d normal = facet_normal(mesh, f);
     const double angle = std::atan2(length(cross(normal, direction)), dot(normal, direction));
-    region.facets.push_back(normal == Vec3d{}                           ? Selected::maybe
+    region.facets.push_back(normal == Vec3d{}                     ? Selected::maybe
                             : any_angle || angle < within - slack ? Selected::yes
                                                                   : Selected::no);
   }
@@ -46,8 +46,8 @@ std::string sentence(const Arguments& arguments) {
   const auto* name = std::get_if<std::string>(&value);
   const Vec3d* v = std::get_if<Vec3d>(&value);
   const double degrees = std::round(arguments.number("within") * 180.0 / std::numbers::pi * 1e6) / 1e6;
-  return fmt::format("it faces {} (by less than {}°)", name ? *name : fmt::format("({}, {}, {})", v->x, v->y, v->z),
-                     degrees);
+  return fmt::format("it faces {} (by less than {}°)",
+                     name ? *name : fmt::format("({}, {}, {})", v->x, v->y, v->z), degrees);
 }
 
 }  // namespace
@@ -56,11 +56,15 @@ const Selector facing_selector{
     .name = "facing",
     .summary = "Facets whose outward normal points towards a direction.",
     .documentation =
-        "A facet is selected when the angle between its outward normal and the direction is less than `within`, by "
-        "more than 1e-6 rad. With the default of 90 deg a side wall that is exactly parallel to the direction does "
-        "not face it, whatever the rounding of its coordinates; `not: {facing: rear}` therefore keeps the side walls. "
+        "A facet is selected when the angle between its outward normal and the direction is less than "
+        "`within`, by "
+        "more than 1e-6 rad. With the default of 90 deg a side wall that is exactly parallel to the "
+        "direction does "
+        "not face it, whatever the rounding of its coordinates; `not: {facing: rear}` therefore keeps the "
+        "side walls. "
         "180 deg selects every facet that has a normal.\n\n"
-        "The named directions follow the rule file's frame (left and right as seen by the driver); a vector is in "
+        "The named directions follow the rule file's frame (left and right as seen by the driver); a vector "
+        "is in "
         "the model's coordinates. A facet without a normal is only maybe selected.",
     .parameters = {{.name = "direction",
                     .dimension = Dimension::direction,

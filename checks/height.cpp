@@ -34,7 +34,8 @@ Region select_height(const Scene& scene, const Setup& setup, const Arguments& ar
   region.edges.reserve(mesh.facet_count());
   for (const auto& [a, b, c] : mesh.facets) {
     region.facets.push_back(reaches(allowed, {height[a], height[b], height[c]}));
-    region.edges.push_back({reaches(allowed, {height[a], height[b]}), reaches(allowed, {height[b], height[c]}),
+    region.edges.push_back({reaches(allowed, {height[a], height[b]}),
+                            reaches(allowed, {height[b], height[c]}),
                             reaches(allowed, {height[c], height[a]})});
   }
   return region;
@@ -53,10 +54,13 @@ const Selector height_selector{
     .name = "height",
     .summary = "Facets that reach into a band of heights above ground.",
     .documentation =
-        "A facet is selected when any part of it lies in the band, its ends included; an edge likewise. Heights "
+        "A facet is selected when any part of it lies in the band, its ends included; an edge likewise. "
+        "Heights "
         "count along `up` from the ground of the rule file's frame.\n\n"
-        "Beside a contact in the same `all` the band also says how far the probe reaches: the model is clipped to "
-        "it before the probe is moved. What only touches the band from outside is selected too: the rule looks at a "
+        "Beside a contact in the same `all` the band also says how far the probe reaches: the model is "
+        "clipped to "
+        "it before the probe is moved. What only touches the band from outside is selected too: the rule "
+        "looks at a "
         "little more rather than less.\n\n"
         "A facet with coordinates that are not finite is only maybe selected.",
     .parameters = {{.name = "from",

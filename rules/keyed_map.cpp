@@ -14,7 +14,7 @@ KeyedMap::KeyedMap(RuleText& text, const YamlNode& node, std::string what)
 }
 
 const YamlNode* KeyedMap::optional(const std::string& key) {
-  known_.push_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
   const auto found = std::find_if(node_->entries.begin(), node_->entries.end(),
                                   [&](const YamlEntry& entry) { return entry.key.text == key; });
   return found == node_->entries.end() ? nullptr : &found->value;

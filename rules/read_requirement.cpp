@@ -79,6 +79,8 @@ void read_limit(RuleText& text, const YamlEntry& entry, const LimitNodes& nodes,
     text.error(entry.key, fmt::format("`{}` has no limit", entry.key.text),
                "give one of `at least`, `at most` and `between`");
   } else if (count > 1) {
+    if (nodes.at_least) limit_value(text, *nodes.at_least, dimension);
+    if (nodes.at_most) limit_value(text, *nodes.at_most, dimension);
     text.error(
         entry.key, fmt::format("`{}` has several limits", entry.key.text),
         nodes.between ? "one limit a rule; write a second rule" : "write `between: [smallest, greatest]`");

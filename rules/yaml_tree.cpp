@@ -162,6 +162,8 @@ Diagnostic diagnostic_at(const std::string& name, const std::string& text, const
   const std::string rest =
       before < diagnostic.source_line.size() ? diagnostic.source_line.substr(before) : "";
   diagnostic.length = std::max(1, std::min(node.length, character_count(rest)));
+  constexpr std::size_t longest_shown = 400;
+  if (diagnostic.source_line.size() > longest_shown) diagnostic.source_line.clear();
   return diagnostic;
 }
 
