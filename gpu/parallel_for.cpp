@@ -1,11 +1,12 @@
 #include "gpu/parallel_for.h"
 
+#include <algorithm>
+
 #ifdef GABARIT_HAS_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #else
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -21,7 +22,8 @@ using Body = void (*)(void*, std::int64_t, std::int64_t);
 void run_chunks(int threads, std::int64_t n, std::int64_t grain, void* context, Body body) {
   if (n <= 0) return;
   if (threads == 1 || n <= grain) return body(context, 0, n);
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const int cores = tbb::this_task_arena::max_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, n, static_cast<std::size_t>(grain)),
                       [&](const auto& range) { body(context, range.begin(), range.end()); });

@@ -1,9 +1,17 @@
 // Marks functions that run on the CPU and on the GPU. One of the three files that may ask which compiler
-// reads them.
+// reads them (the others: parallel_for.h, device_memory.cu).
 #pragma once
 
 #if defined(__CUDACC__)
 #define GABARIT_HD __host__ __device__
+#define GABARIT_CUDA_COMPILER 1
 #else
 #define GABARIT_HD
+#define GABARIT_CUDA_COMPILER 0
+#endif
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define GABARIT_X86 1
+#else
+#define GABARIT_X86 0
 #endif

@@ -1,0 +1,48 @@
+// An array in the memory of a device.
+#pragma once
+
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "gpu/device.h"
+#include "gpu/device_memory.h"
+#include "gpu/view.h"
+
+namespace gabarit {
+
+// On a CPU it is the vector it was given; on CUDA a copy in the device's memory.
+template <class T>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  Buffer() = default;
+  Buffer(const Device& device, std::vector<T> elements)
+      : host_(std::move(elements)), size_(static_cast<std::int64_t>(host_.size())) {
+    if (device.kind == Device::Kind::cpu) return;
+    remote_ = DeviceMemory(device, bytes());
+    remote_.write(host_.data(), bytes());
+    host_ = {};
+  }
+  Buffer(const Device& device, std::span<const T> elements)
+      : Buffer(device, std::vector<T>(elements.begin(), elements.end())) {}
+
+  View<T> view() { return {remote_.data() ? static_cast<T*>(remote_.data()) : host_.data(), size_}; }
+  View<const T> view() const {
+    return {remote_.data() ? static_cast<const T*>(remote_.data()) : host_.data(), size_};
+  }
+  void read(std::span<T> into) const {
+    if (remote_.data()) return remote_.read(into.data(), bytes());
+    std::copy(host_.begin(), host_.end(), into.begin());
+  }
+  std::size_t bytes() const { return static_cast<std::size_t>(size_) * sizeof(T); }
+
+ private:
+  std::vector<T> host_;
+  DeviceMemory remote_;
+  std::int64_t size_ = 0;
+};
+
+}  // namespace gabarit

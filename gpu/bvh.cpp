@@ -1,0 +1,96 @@
+#include "gpu/bvh.h"
+
+#include <stdexcept>
+
+#include "gpu/bvh_build.h"
+#include "gpu/parallel_for.h"
+
+namespace gabarit {
+namespace {
+
+int corners(const Primitive& p) { return p.is_facet() ? 3 : 2; }
+
+Box3d bounds(const Surface& surface) {
+  Box3d box;
+  for (const Primitive& p : surface.primitives) {
+    for (int i = 0; i < corners(p); ++i) box.add(surface.points[p.corner[static_cast<std::size_t>(i)]]);
+  }
+  return box;
+}
+
+std::vector<BoxedPrimitive> boxed(const Device& device, const Surface& surface, const Vec3d& origin) {
+  std::vector<BoxedPrimitive> boxes(surface.primitives.size());
+  parallel_for_cpu(
+      device, static_cast<std::int64_t>(boxes.size()),
+      [&](std::int64_t i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Primitive& p = surface.primitives[k];
+        Box3d box;
+        for (int c = 0; c < corners(p); ++c)
+          box.add(surface.points[p.corner[static_cast<std::size_t>(c)]] - origin);
+        boxes[k].box.min = {round_down(box.min.x), round_down(box.min.y), round_down(box.min.z)};
+        boxes[k].box.max = {round_up(box.max.x), round_up(box.max.y), round_up(box.max.z)};
+        boxes[k].primitive = static_cast<std::uint32_t>(i);
+      },
+      16384);
+  return boxes;
+}
+
+void reorder(Surface& surface, const std::vector<BoxedPrimitive>& order) {
+  std::vector<Primitive> sorted(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = surface.primitives[order[i].primitive];
+  surface.primitives = std::move(sorted);
+}
+
+// Numbers the points in the order in which the tree meets them: neighbours share cache lines.
+void renumber_points(Surface& surface) {
+  constexpr std::uint32_t unset = 0xffffffffU;
+  std::vector<std::uint32_t> number(surface.points.size(), unset);
+  std::vector<Vec3d> points;
+  points.reserve(surface.points.size());
+  for (Primitive& p : surface.primitives) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(corners(p)); ++i) {
+      std::uint32_t& n = number[p.corner[i]];
+      if (n == unset)
+        n = static_cast<std::uint32_t>(points.size()), points.push_back(surface.points[p.corner[i]]);
+      p.corner[i] = n;
+    }
+  }
+  surface.points = std::move(points);
+}
+
+}  // namespace
+
+Bvh::Bvh(const Device& device, Surface surface) : device_(device) {
+  if (surface.primitives.size() >= (std::size_t{1} << 28))
+    throw std::length_error("more than 268 million facets are too many for one tree");
+  const Box3d box = bounds(surface);
+  if (!box.empty()) origin_ = box.centre();
+  reach_ = round_up(length(box.extent()) * 0.5);
+  std::vector<BoxedPrimitive> boxes = boxed(device, surface, origin_);
+  SplitTree tree = split_into_nodes(device, boxes);
+  reorder(surface, boxes);
+  boxes = {};
+  renumber_points(surface);
+  add_cones(device, surface, origin_, tree);
+  order_.reserve(surface.primitives.size());
+  for (const Primitive& p : surface.primitives) order_.push_back(p.id);
+  nodes_ = {device, std::move(tree.nodes)};
+  primitives_ = {device, std::move(surface.primitives)};
+  points_ = {device, std::move(surface.points)};
+  fan_first_ = {device, std::move(surface.fan_first)};
+  fan_directions_ = {device, std::move(surface.fan_directions)};
+}
+
+BvhView Bvh::view() const {
+  return {
+      nodes_.view(), primitives_.view(), points_.view(), fan_first_.view(), fan_directions_.view(), origin_,
+      reach_};
+}
+
+std::size_t Bvh::bytes() const {
+  return nodes_.bytes() + primitives_.bytes() + points_.bytes() + fan_first_.bytes() +
+         fan_directions_.bytes();
+}
+
+}  // namespace gabarit

@@ -1,0 +1,253 @@
+#include <algorithm>
+#include <utility>
+
+#include "gpu/bvh_build.h"
+#include "gpu/parallel_for.h"
+
+namespace gabarit {
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+constexpr int bin_count = 16;
+// From this depth on ranges are halved by count: no input makes the tree deeper than the queries' stacks.
+constexpr int greatest_sah_depth = 14;
+
+struct Range {
+  std::uint32_t begin = 0, end = 0;
+  Box3f box;
+
+  std::uint32_t count() const { return end - begin; }
+};
+
+float half_area(const Box3f& box) {
+  const Vec3f e = box.extent();
+  return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+int longest_axis(const Box3f& box) {
+  const Vec3f e = box.extent();
+  return e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+}
+
+struct Bin {
+  Box3f box;
+  std::uint32_t count = 0;
+
+  void add(const Bin& b) { box.add(b.box), count += b.count; }
+};
+
+// Twice the centre of a box, and the bin it falls into.
+struct Binning {
+  int axis;
+  float from, scale;
+
+  Binning(int along, const Box3f& centres)
+      : axis(along),
+        from(centres.min[along]),
+        scale(static_cast<float>(bin_count) * 0.9999F / (centres.max[along] - centres.min[along])) {}
+  int bin(const Box3f& box) const {
+    return std::clamp(static_cast<int>((box.min[axis] + box.max[axis] - from) * scale), 0, bin_count - 1);
+  }
+};
+
+struct Cut {
+  float cost = std::numeric_limits<float>::infinity();
+  int last_left_bin = 0;
+  Box3f left, right;
+};
+
+Cut cheapest_cut(const std::array<Bin, bin_count>& bins) {
+  std::array<Bin, bin_count> right;
+  Bin sum;
+  for (std::size_t i = bin_count; i-- > 0;) sum.add(bins[i]), right[i] = sum;
+  Cut best;
+  sum = {};
+  for (std::size_t i = 0; i + 1 < bin_count; ++i) {
+    sum.add(bins[i]);
+    const Bin& other = right[i + 1];
+    if (sum.count == 0 || other.count == 0) continue;
+    const float cost = half_area(sum.box) * static_cast<float>(sum.count) +
+                       half_area(other.box) * static_cast<float>(other.count);
+    if (cost < best.cost) best = {cost, static_cast<int>(i), sum.box, other.box};
+  }
+  return best;
+}
+
+class Splitter {
+ public:
+  explicit Splitter(std::vector<BoxedPrimitive>& boxes) : boxes_(&boxes) {}
+
+  Range whole() const { return bounded(0, static_cast<std::uint32_t>(boxes_->size())); }
+
+  // Up to eight parts of a range, in order.
+  std::vector<Range> parts(const Range& range, int depth) {
+    std::vector<Range> parts{range};
+    while (parts.size() < tree_width) {
+      auto widest = parts.end();
+      for (auto it = parts.begin(); it != parts.end(); ++it) {
+        if (it->count() > leaf_size && (widest == parts.end() || weight(*it, depth) > weight(*widest, depth)))
+          widest = it;
+      }
+      if (widest == parts.end()) break;
+      const auto [left, right] = depth < greatest_sah_depth ? split(*widest) : halve(*widest);
+      *widest = left;
+      parts.insert(widest + 1, right);
+    }
+    return parts;
+  }
+
+ private:
+  static float weight(const Range& r, int depth) {
+    return depth < greatest_sah_depth ? half_area(r.box) * static_cast<float>(r.count())
+                                      : static_cast<float>(r.count());
+  }
+
+  Range bounded(std::uint32_t begin, std::uint32_t end) const {
+    Range range{begin, end, {}};
+    for (std::uint32_t i = begin; i < end; ++i) range.box.add((*boxes_)[i].box);
+    return range;
+  }
+
+  std::pair<Range, Range> split(const Range& range) {
+    Box3f centres;
+    for (std::uint32_t i = range.begin; i < range.end; ++i)
+      centres.add((*boxes_)[i].box.min + (*boxes_)[i].box.max);
+    const int axis = longest_axis(centres);
+    if (!(centres.max[axis] > centres.min[axis])) return halve(range);
+    const Binning binning(axis, centres);
+    std::array<Bin, bin_count> bins;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      Bin& bin = bins[static_cast<std::size_t>(binning.bin((*boxes_)[i].box))];
+      bin.box.add((*boxes_)[i].box);
+      ++bin.count;
+    }
+    const Cut cut = cheapest_cut(bins);
+    const auto begin = boxes_->begin();
+    const auto mid = std::partition(begin + range.begin, begin + range.end, [&](const BoxedPrimitive& b) {
+      return binning.bin(b.box) <= cut.last_left_bin;
+    });
+    const auto middle = static_cast<std::uint32_t>(mid - begin);
+    if (middle == range.begin || middle == range.end) return halve(range);
+    return {Range{range.begin, middle, cut.left}, Range{middle, range.end, cut.right}};
+  }
+
+  std::pair<Range, Range> halve(const Range& range) {
+    const int axis = longest_axis(range.box);
+    const std::uint32_t middle = range.begin + range.count() / 2;
+    const auto begin = boxes_->begin();
+    std::nth_element(begin + range.begin, begin + middle, begin + range.end,
+                     [axis](const BoxedPrimitive& a, const BoxedPrimitive& b) {
+                       const float x = a.box.min[axis] + a.box.max[axis];
+                       const float y = b.box.min[axis] + b.box.max[axis];
+                       return x < y || (x == y && a.primitive < b.primitive);
+                     });
+    return {bounded(range.begin, middle), bounded(middle, range.end)};
+  }
+
+  std::vector<BoxedPrimitive>* boxes_;
+};
+
+// A range whose node is still to be made, and the child that will refer to it.
+struct Pending {
+  Range range;
+  std::uint32_t node;
+  int slot;
+  int depth;
+};
+
+BvhNode empty_node() {
+  BvhNode node{};
+  for (int i = 0; i < tree_width; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      node.lo[k][i] = std::numeric_limits<float>::infinity();
+      node.hi[k][i] = -std::numeric_limits<float>::infinity();
+    }
+    node.child[i] = no_child;
+  }
+  return node;
+}
+
+// Makes one node; the parts that are no leaves go to `pending`.
+void add_node(Splitter& splitter, const Range& range, int depth, SplitTree& tree,
+              std::vector<Pending>& pending) {
+  const auto number = static_cast<std::uint32_t>(tree.nodes.size());
+  BvhNode node = empty_node();
+  std::array<PrimitiveRange, tree_width> ranges;
+  int slot = 0;
+  for (const Range& part : splitter.parts(range, depth)) {
+    for (int k = 0; k < 3; ++k) node.lo[k][slot] = part.box.min[k], node.hi[k][slot] = part.box.max[k];
+    ranges[static_cast<std::size_t>(slot)] = {part.begin, part.end};
+    if (part.count() <= leaf_size)
+      node.child[slot] = leaf_flag | (part.count() - 1) << 28 | part.begin;
+    else
+      pending.push_back({part, number, slot, depth + 1});
+    ++slot;
+  }
+  tree.nodes.push_back(node);
+  tree.ranges.push_back(ranges);
+}
+
+// All nodes below a range; the first of them is its root.
+SplitTree subtree(Splitter splitter, const Range& range, int depth) {
+  SplitTree tree;
+  std::vector<Pending> pending;
+  add_node(splitter, range, depth, tree, pending);
+  while (!pending.empty()) {
+    const Pending next = pending.back();
+    pending.pop_back();
+    tree.nodes[next.node].child[next.slot] = static_cast<std::uint32_t>(tree.nodes.size());
+    add_node(splitter, next.range, next.depth, tree, pending);
+  }
+  return tree;
+}
+
+// Nodes of large ranges, breadth first; what is small enough to be one thread's work is left over.
+std::vector<Pending> top_of_tree(Splitter& splitter, SplitTree& tree, std::uint32_t small) {
+  std::vector<Pending> queue;
+  std::vector<Pending> rest;
+  add_node(splitter, splitter.whole(), 0, tree, queue);
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const Pending next = queue[i];
+    if (next.range.count() <= small) {
+      rest.push_back(next);
+      continue;
+    }
+    tree.nodes[next.node].child[next.slot] = static_cast<std::uint32_t>(tree.nodes.size());
+    add_node(splitter, next.range, next.depth, tree, queue);
+  }
+  return rest;
+}
+
+void append(SplitTree& tree, const Pending& place, SplitTree part) {
+  const auto offset = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes[place.node].child[place.slot] = offset;
+  for (BvhNode& node : part.nodes) {
+    for (std::uint32_t& child : node.child) {
+      if ((child & leaf_flag) == 0) child += offset;
+    }
+  }
+  tree.nodes.insert(tree.nodes.end(), part.nodes.begin(), part.nodes.end());
+  tree.ranges.insert(tree.ranges.end(), part.ranges.begin(), part.ranges.end());
+}
+
+}  // namespace
+
+SplitTree split_into_nodes(const Device& device, std::vector<BoxedPrimitive>& boxes) {
+  SplitTree tree;
+  if (boxes.empty()) return tree;
+  Splitter splitter(boxes);
+  const auto small = std::max<std::uint32_t>(4096, static_cast<std::uint32_t>(boxes.size() / 64));
+  const std::vector<Pending> rest = top_of_tree(splitter, tree, small);
+  std::vector<SplitTree> parts(rest.size());
+  parallel_for_cpu(
+      device, static_cast<std::int64_t>(rest.size()),
+      [&](std::int64_t i) {
+        const auto k = static_cast<std::size_t>(i);
+        parts[k] = subtree(splitter, rest[k].range, rest[k].depth);
+      },
+      1);
+  for (std::size_t i = 0; i < rest.size(); ++i) append(tree, rest[i], std::move(parts[i]));
+  return tree;
+}
+
+}  // namespace gabarit

@@ -1,0 +1,80 @@
+#include "gpu/closest_point.h"
+#include "gpu/parallel_for.h"
+#include "gpu/traverse.h"
+#include "gpu/triangle.h"
+
+namespace gabarit {
+namespace {
+
+class Nearest {
+ public:
+  GABARIT_HD Nearest(const BvhView& tree, const Vec3d& point) : tree_(tree), point_(point) {
+    const Vec3d o = point - tree.origin;
+    origin_ = {static_cast<float>(o.x), static_cast<float>(o.y), static_cast<float>(o.z)};
+    slop_ = 2e-6F * (tree.reach + std::fabs(origin_.x) + std::fabs(origin_.y) + std::fabs(origin_.z));
+  }
+
+  GABARIT_HD float limit() const { return limit_; }
+
+  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) const {
+    for (int i = 0; i < tree_width; ++i) {
+      float sum = 0;
+      for (int k = 0; k < 3; ++k) {
+        const float below = node.lo[k][i] - origin_[k], above = origin_[k] - node.hi[k][i];
+        const float outside = (below > above ? below : above) - slop_;
+        sum += outside > 0 ? outside * outside : 0.0F;
+      }
+      lower[i] = sum * (1 - 2e-6F);
+    }
+  }
+
+  GABARIT_HD void visit(const Primitive& p) {
+    if (!p.is_facet()) return;
+    const Vec3d q = closest_point({}, tree_.corner(p, 0) - point_, tree_.corner(p, 1) - point_,
+                                  tree_.corner(p, 2) - point_);
+    const double squared = squared_length(q);
+    if (squared > squared_ || (squared == squared_ && p.id > closest_.facet)) return;
+    squared_ = squared;
+    limit_ = static_cast<float>(squared) * (1 + 1e-6F);
+    closest_ = {std::sqrt(squared), point_ + q, p.id};
+  }
+
+  GABARIT_HD const ClosestPoint& result() const { return closest_; }
+
+ private:
+  const BvhView& tree_;
+  const Vec3d& point_;
+  ClosestPoint closest_;
+  double squared_ = std::numeric_limits<double>::infinity();
+  Vec3f origin_;
+  float limit_ = std::numeric_limits<float>::infinity();
+  float slop_ = 0;
+};
+
+struct ClosestBatch {
+  BvhView tree;
+  View<const Vec3d> points;
+  View<ClosestPoint> closest;
+
+  GABARIT_HD void operator()(std::int64_t i) const {
+    Nearest query(tree, points[i]);
+    traverse(tree, query);
+    closest[i] = query.result();
+  }
+};
+
+}  // namespace
+
+void closest_points(const Bvh& tree, std::span<const Vec3d> points, std::span<ClosestPoint> closest) {
+  const auto n = static_cast<std::int64_t>(points.size());
+  if (tree.device().kind == Device::Kind::cpu) {
+    parallel_for(tree.device(), n, ClosestBatch{tree.view(), view(points), view(closest)}, 512);
+    return;
+  }
+  const Buffer<Vec3d> asked(tree.device(), points);
+  Buffer<ClosestPoint> answers(tree.device(), std::vector<ClosestPoint>(points.size()));
+  parallel_for(tree.device(), n, ClosestBatch{tree.view(), asked.view(), answers.view()});
+  answers.read(closest);
+}
+
+}  // namespace gabarit

@@ -1,0 +1,52 @@
+#include <algorithm>
+
+#include "gpu/maximal_sphere.h"
+#include "gpu/maximal_sphere_kernel.h"
+#include "gpu/parallel_for.h"
+
+namespace gabarit {
+namespace {
+
+// One index is a short run of queries, each starting from the contact of the one before. The runs do not
+// depend on the number of threads.
+struct SphereRuns {
+  static constexpr std::int64_t length = 32;
+
+  BvhView tree;
+  SphereOptions options;
+  View<const SphereQuery> queries;
+  View<SphereContact> contacts;
+
+  GABARIT_HD void operator()(std::int64_t run) const {
+    const Primitive* guess = nullptr;
+    const std::int64_t end = (run + 1) * length < queries.size ? (run + 1) * length : queries.size;
+    for (std::int64_t i = run * length; i < end; ++i) {
+      MaximalSphere sphere(tree, options, queries[i]);
+      if (guess != nullptr) sphere.visit(*guess);
+      traverse(tree, sphere);
+      contacts[i] = sphere.result();
+      if (sphere.touched() != nullptr) guess = sphere.touched();
+    }
+  }
+};
+
+}  // namespace
+
+void maximal_spheres(const Bvh& tree, const SphereOptions& options, std::span<const SphereQuery> queries,
+                     std::span<SphereContact> contacts) {
+  const BvhView view_of_tree = tree.view();
+  SphereOptions bounded = options;
+  bounded.greatest_radius =
+      std::min(options.greatest_radius, 4.0 * static_cast<double>(view_of_tree.reach) + 1e-30);
+  const auto runs = (static_cast<std::int64_t>(queries.size()) + SphereRuns::length - 1) / SphereRuns::length;
+  if (tree.device().kind == Device::Kind::cpu) {
+    parallel_for(tree.device(), runs, SphereRuns{view_of_tree, bounded, view(queries), view(contacts)}, 16);
+    return;
+  }
+  const Buffer<SphereQuery> asked(tree.device(), queries);
+  Buffer<SphereContact> answers(tree.device(), std::vector<SphereContact>(queries.size()));
+  parallel_for(tree.device(), runs, SphereRuns{view_of_tree, bounded, asked.view(), answers.view()}, 16);
+  answers.read(contacts);
+}
+
+}  // namespace gabarit

@@ -1,0 +1,73 @@
+// The ball that is tangent at the origin to the plane across a unit direction d, has its centre at t d and
+// passes through a point q: t = |q|² / (2 d·q). Inversion at the origin turns the smallest t over a segment
+// or triangle into a linear maximum, so each has a closed form.
+#pragma once
+
+#include <limits>
+
+#include "gpu/vec3.h"
+
+namespace gabarit {
+
+struct TangentBall {
+  double radius = std::numeric_limits<double>::infinity();  // infinite: nothing lies ahead
+  Vec3d contact;
+};
+
+GABARIT_HD inline TangentBall ball_through_point(const Vec3d& d, const Vec3d& q) {
+  const double ahead = dot(d, q);
+  if (!(ahead > 0)) return {};
+  return {squared_length(q) / (2 * ahead), q};
+}
+
+// `at` gets the place along the segment, 0 and 1 at its ends. Where the maximum of d·q / |q|² lies outside,
+// the nearer end is the answer.
+GABARIT_HD inline TangentBall ball_through_segment(const Vec3d& d, const Vec3d& a, const Vec3d& b,
+                                                   double* at = nullptr) {
+  const Vec3d e = b - a;
+  const double a0 = dot(d, a), a1 = dot(d, e);
+  const double b0 = squared_length(a), b1 = dot(a, e), b2 = squared_length(e);
+  if (!(a0 > 0) && !(a0 + a1 > 0)) return {};
+  double s = 0;
+  if (b2 > 0) {
+    const double c = (a1 * b0 - 2 * a0 * b1) / b2;
+    const double root = std::sqrt(a0 * a0 + a1 * c > 0 ? a0 * a0 + a1 * c : 0.0);
+    s = a0 > 0 ? c / (a0 + root) : (root - a0) / a1;
+    s = s > 0 ? (s < 1 ? s : 1.0) : 0.0;
+  }
+  if (at != nullptr) *at = s;
+  return ball_through_point(d, s == 1 ? b : a + s * e);
+}
+
+// Whether p, in the plane of the triangle with normal n, lies inside it or on its boundary.
+GABARIT_HD inline bool inside_triangle(const Vec3d& p, const Vec3d& a, const Vec3d& b, const Vec3d& c,
+                                       const Vec3d& n) {
+  return dot(cross(b - a, p - a), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
+         dot(cross(a - c, p - c), n) >= 0;
+}
+
+// Gives up, with an infinite radius, once the answer is sure to be above `limit`. A triangle without a normal
+// has no plane: nothing is found.
+GABARIT_HD inline TangentBall ball_through_triangle(const Vec3d& d, const Vec3d& a, const Vec3d& b,
+                                                    const Vec3d& c, double limit) {
+  const Vec3d raw = cross(b - a, c - a);
+  const double area = length(raw);
+  if (!(area > 0)) return {};
+  Vec3d m = raw / area;
+  double h = dot(m, a);
+  if (h < 0) h = -h, m = -m;  // m points from the origin to the plane
+  const double spread = 1 + dot(m, d);
+  if (spread > 0) {
+    const double t = h / spread;
+    if (t > limit) return {};
+    const Vec3d p = t * (d + m);
+    if (inside_triangle(p, a, b, c, raw)) return {t, p};
+  }
+  TangentBall best = ball_through_segment(d, a, b);
+  const TangentBall bc = ball_through_segment(d, b, c);
+  if (bc.radius < best.radius) best = bc;
+  const TangentBall ca = ball_through_segment(d, c, a);
+  return ca.radius < best.radius ? ca : best;
+}
+
+}  // namespace gabarit

@@ -1,0 +1,162 @@
+// Needs nothing but a compiler: the tree against brute force, every set of vector instructions and every CUDA
+// device against the portable code, bit for bit. Ends with 1 and a sentence for each thing that is wrong.
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "gpu/closest_point.h"
+#include "gpu/maximal_sphere.h"
+#include "gpu/maximal_sphere_kernel.h"
+#include "gpu/ray_cast.h"
+#include "gpu/tests/bumpy_surface.h"
+#include "gpu/triangle.h"
+
+namespace gabarit {
+namespace {
+
+int failures = 0;
+
+void expect(bool good, const std::string& sentence) {
+  if (good) return;
+  ++failures;
+  std::printf("FAILED: %s\n", sentence.c_str());
+}
+
+// Field by field: padding may hold anything.
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same(const SphereContact& a, const SphereContact& b) {
+  return same_bits(a.radius, b.radius) && same_bits(a.lower, b.lower) && same_bits(a.upper, b.upper) &&
+         a.contact == b.contact && a.primitive == b.primitive;
+}
+bool same(const RayHit& a, const RayHit& b) {
+  return same_bits(a.distance, b.distance) && a.facet == b.facet && same_bits(a.facing, b.facing);
+}
+bool same(const ClosestPoint& a, const ClosestPoint& b) {
+  return same_bits(a.distance, b.distance) && a.point == b.point && a.facet == b.facet;
+}
+
+struct Answers {
+  std::vector<SphereContact> spheres;
+  std::vector<RayHit> hits;
+  std::vector<ClosestPoint> closest;
+};
+
+bool same(const Answers& a, const Answers& b) {
+  const auto all = [](const auto& x, const auto& y) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!same(x[i], y[i])) return false;
+    }
+    return x.size() == y.size();
+  };
+  return all(a.spheres, b.spheres) && all(a.hits, b.hits) && all(a.closest, b.closest);
+}
+
+const SphereOptions opposite_walls{.cos_separation = std::cos(2 * std::numbers::pi / 3),
+                                   .contact_floor = 1e-6};
+
+Vec3d centroid(const Surface& s, const Primitive& p) {
+  return (s.points[p.corner[0]] + s.points[p.corner[1]] + s.points[p.corner[2]]) / 3.0;
+}
+Vec3d inwards(const Primitive& p) {
+  return normalized(Vec3d{-static_cast<double>(p.normal.x), -static_cast<double>(p.normal.y),
+                          -static_cast<double>(p.normal.z)});
+}
+
+std::vector<SphereQuery> queries_of(const Surface& s) {
+  std::vector<SphereQuery> queries;
+  for (const Primitive& p : s.primitives) queries.push_back({centroid(s, p), inwards(p), p.id, 0, 0});
+  return queries;
+}
+
+Answers ask(const Device& device, const Surface& surface) {
+  const Bvh tree(device, surface);
+  const std::vector<SphereQuery> queries = queries_of(surface);
+  std::vector<Ray> rays;
+  std::vector<Vec3d> points;
+  for (const SphereQuery& q : queries) {
+    rays.push_back({q.point, q.direction, q.own, 1e-6});
+    points.push_back(q.point + 0.37 * q.direction);
+  }
+  Answers answers{std::vector<SphereContact>(queries.size()), std::vector<RayHit>(queries.size()),
+                  std::vector<ClosestPoint>(queries.size())};
+  maximal_spheres(tree, opposite_walls, queries, answers.spheres);
+  cast_rays(tree, rays, answers.hits);
+  closest_points(tree, points, answers.closest);
+  return answers;
+}
+
+double brute_force_radius(const Surface& s, const SphereQuery& q) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Primitive& p : s.primitives) {
+    const Vec3d n{static_cast<double>(p.normal.x), static_cast<double>(p.normal.y),
+                  static_cast<double>(p.normal.z)};
+    if (p.id == q.own || dot(n, q.direction) < -opposite_walls.cos_separation - 1e-6) continue;
+    const TangentBall ball =
+        ball_through_triangle(q.direction, s.points[p.corner[0]] - q.point, s.points[p.corner[1]] - q.point,
+                              s.points[p.corner[2]] - q.point, std::numeric_limits<double>::infinity());
+    least = std::min(least, ball.radius);
+  }
+  return least;
+}
+
+double brute_force_distance(const Surface& s, const Vec3d& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Primitive& p : s.primitives)
+    least = std::min(least, length(point - closest_point(point, s.points[p.corner[0]], s.points[p.corner[1]],
+                                                         s.points[p.corner[2]])));
+  return least;
+}
+
+void the_tree_finds_what_brute_force_finds(const Surface& surface) {
+  const Answers answers = ask(Device::cpu(1), surface);
+  const std::vector<SphereQuery> queries = queries_of(surface);
+  for (std::size_t i = 0; i < queries.size(); i += 7) {
+    const double truth = brute_force_radius(surface, queries[i]);
+    const SphereContact& found = answers.spheres[i];
+    expect(found.radius >= truth && found.lower <= truth && truth <= found.upper &&
+               found.radius <= truth * 1.031,
+           "ball " + std::to_string(i) + " has radius " + std::to_string(found.radius) + ", not " +
+               std::to_string(truth));
+    const double distance = brute_force_distance(surface, queries[i].point + 0.37 * queries[i].direction);
+    expect(std::fabs(answers.closest[i].distance - distance) <= 1e-12, "closest point " + std::to_string(i));
+  }
+}
+
+void every_device_gives_the_same_bits(const Surface& surface) {
+  Device portable = Device::cpu(1);
+  portable.vectors = VectorSet::portable;
+  const Answers reference = ask(portable, surface);
+  for (const VectorSet set : {VectorSet::avx2, VectorSet::avx512}) {
+    Device device = Device::cpu(3);
+    device.vectors = set;
+    expect(same(ask(device, surface), reference), "vector set " + std::to_string(static_cast<int>(set)));
+  }
+  const auto devices = cuda_devices();
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    expect(same(ask(Device::cuda(static_cast<int>(i)), surface), reference), "CUDA device " + devices[i]);
+    std::printf("compared with %s\n", devices[i].c_str());
+  }
+}
+
+void an_empty_surface_has_no_contacts() {
+  const Bvh tree(Device::cpu(1), Surface{});
+  const SphereQuery query{{0, 0, 0}, {0, 0, 1}, no_child, 0, 0};
+  SphereContact contact;
+  maximal_spheres(tree, opposite_walls, {&query, 1}, {&contact, 1});
+  expect(contact.primitive == SphereContact::none, "an empty surface has a contact");
+}
+
+}  // namespace
+}  // namespace gabarit
+
+int main() {
+  using namespace gabarit;
+  for (const Surface& surface : {bumpy_ball(30, 40, 10, 0.2), bumpy_ball(24, 40, 10, 0),
+                                 bumpy_ball(12, 16, 0.5, 0.1, {9000, -4000, 250})}) {
+    the_tree_finds_what_brute_force_finds(surface);
+    every_device_gives_the_same_bits(surface);
+  }
+  an_empty_surface_has_no_contacts();
+  std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures);
+  return failures == 0 ? 0 : 1;
+}
