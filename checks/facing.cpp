@@ -74,7 +74,7 @@ const Selector facing_selector{
                     .dimension = Dimension::angle,
                     .documentation = "The angle that the normal may be away from the direction.",
                     .default_text = "90 deg",
-                    .least = 1e-4,
+                    .least = 0.01 * std::numbers::pi / 180.0,
                     .greatest = std::numbers::pi}},
     .select = select_facing,
     .sentence = sentence};

@@ -1,0 +1,65 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "rules/engine.h"
+#include "tests/rules/language.h"
+
+namespace gabarit {
+namespace {
+
+std::vector<std::filesystem::path> files() {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(GABARIT_SOURCE_DIR "/rules/library")) {
+    found.push_back(entry.path());
+  }
+  return found;
+}
+
+TEST(Library, every_file_is_read_and_named_after_its_id) {
+  std::vector<RuleSet> sets;
+  for (const auto& file : files()) {
+    const auto rules = read_rules(file, language::catalogue());
+    ASSERT_TRUE(rules) << to_string(rules.error().at(0));
+    EXPECT_EQ(rules->id, file.stem().string());
+    EXPECT_FALSE(rules->revision.empty());
+    EXPECT_FALSE(rules->source.document.empty() || rules->source.status.empty());
+    sets.push_back(*rules);
+  }
+  ASSERT_FALSE(sets.empty());
+  EXPECT_TRUE(check_selection(sets, {}).empty()) << "all of them can be checked in one run";
+}
+
+TEST(Library, the_motorcycle_column_asks_for_r4_and_notes_r3_2) {
+  const auto read =
+      read_rules(GABARIT_SOURCE_DIR "/rules/library/motorcycle-column.yaml", language::catalogue());
+  ASSERT_TRUE(read);
+  const RuleSet& set = *read;
+  EXPECT_EQ(set.source.status, "industry practice");
+  EXPECT_EQ(set.up, (Vec3d{0, 0, 1}));
+  EXPECT_EQ(set.forward, (Vec3d{-1, 0, 0}));
+  EXPECT_EQ(set.ground, Ground::lowest);
+  EXPECT_DOUBLE_EQ(set.sag.value(), 0.1);
+  ASSERT_EQ(set.rules.size(), 2U);
+  const double limits[] = {4, 3.2};
+  const Severity severities[] = {Severity::error, Severity::note};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Rule& rule = set.rules[i];
+    EXPECT_EQ(rule.severity, severities[i]);
+    EXPECT_EQ(rule.require.measure->name, "radius");
+    EXPECT_EQ(rule.require.limit.kind, Limit::Kind::at_least);
+    EXPECT_DOUBLE_EQ(rule.require.limit.low, limits[i]);
+    ASSERT_EQ(rule.where.kind, Where::Kind::all);
+    ASSERT_EQ(rule.where.children.size(), 2U);
+    const Arguments& contact = rule.where.children[0].arguments;
+    EXPECT_EQ(contact.text("probe"), "vertical cylinder");
+    EXPECT_DOUBLE_EQ(contact.number("diameter"), 300.0);
+    EXPECT_EQ(contact.text("motion"), "forward");
+    const Arguments& height = rule.where.children[1].arguments;
+    EXPECT_DOUBLE_EQ(height.number("from"), 0.0);
+    EXPECT_DOUBLE_EQ(height.number("to"), 2000.0);
+  }
+}
+
+}  // namespace
+}  // namespace gabarit
