@@ -16,6 +16,8 @@ OutputFile::OutputFile(std::filesystem::path place) : place_(std::move(place)), 
   temporary_ += ".partial";
   file_ = std::fopen(temporary_.c_str(), "wb");
   if (file_ == nullptr) fail(place_);
+  // Large outputs are written in small records: a large buffer saves most of the calls to the system.
+  std::setvbuf(file_, nullptr, _IOFBF, std::size_t{1} << 20);
 }
 
 OutputFile::~OutputFile() {

@@ -1,0 +1,110 @@
+#include "report/write_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "report/display_unit.h"
+
+namespace gabarit {
+
+using Json = nlohmann::ordered_json;
+
+static Json point(const Vec3d& p) { return Json::array({p.x, p.y, p.z}); }
+
+static Json box(const Box3d& b) { return {{"min", point(b.min)}, {"max", point(b.max)}}; }
+
+static Json worst(const Worst& w, const DisplayUnit& unit) {
+  return {{"value", w.value * unit.factor},
+          {"lower", w.lower * unit.factor},
+          {"upper", w.upper * unit.factor},
+          {"unit", unit.name},
+          {"at", point(w.at)},
+          {"facet", w.facet}};
+}
+
+static Json model(const Report& report) {
+  const Model& m = *report.model;
+  const Defects& d = m.defects;
+  const Json sag = report.outcome->setups.empty() ? Json() : Json(report.outcome->setups.front().sag);
+  return {{"file", m.file},
+          {"sha256", m.sha256},
+          {"unit", name(m.unit)},
+          {"facets", m.mesh.facet_count()},
+          {"bodies", m.bodies.size()},
+          {"box", box(m.box)},
+          {"sag", sag},
+          {"watertight", watertight(d)},
+          {"defects",
+           {{"not_finite", d.not_finite},
+            {"degenerate", d.degenerate},
+            {"duplicate", d.duplicate},
+            {"open_edges", d.open_edges},
+            {"non_manifold_edges", d.non_manifold_edges},
+            {"misoriented_edges", d.misoriented_edges}}}};
+}
+
+static Json limit(const Requirement& require, const DisplayUnit& unit) {
+  const Limit& l = require.limit;
+  Json json = {{"measure", require.measure != nullptr ? require.measure->name : ""},
+               {"text", require.limit_text}};
+  if (l.kind != Limit::Kind::at_most) json["at_least"] = l.low * unit.factor;
+  if (l.kind != Limit::Kind::at_least) json["at_most"] = l.high * unit.factor;
+  json["unit"] = unit.name;
+  return json;
+}
+
+static Json finding(const Finding& f, const DisplayUnit& unit) {
+  return {{"id", f.id},       {"verdict", name(f.verdict)},    {"facets", f.facets.size()},
+          {"area", f.area},   {"worst", worst(f.worst, unit)}, {"centroid", point(f.centroid)},
+          {"box", box(f.box)}};
+}
+
+static const char* severity(Severity s) {
+  return s == Severity::error ? "error" : s == Severity::warning ? "warning" : "note";
+}
+
+static Json rule(const RuleResult& r) {
+  const Measure* const measure = r.rule.require.measure;
+  const DisplayUnit unit = display_unit(measure != nullptr ? measure->dimension : Dimension::length);
+  Json findings = Json::array();
+  for (const Finding& f : r.findings) findings.push_back(finding(f, unit));
+  return {{"id", r.rule.id},
+          {"title", r.rule.title},
+          {"clause", r.rule.clause},
+          {"severity", severity(r.rule.severity)},
+          {"verdict", name(r.verdict)},
+          {"reason", r.reason},
+          {"facets_examined", r.facets_examined},
+          {"area_examined", r.area_examined},
+          {"facets_failed", r.facets_failed},
+          {"worst", r.has_worst ? worst(r.worst, unit) : Json()},
+          {"limit", limit(r.rule.require, unit)},
+          {"findings", std::move(findings)}};
+}
+
+static Json totals(const Totals& t) {
+  return {{"planned", t.planned},
+          {"passed", t.passed},
+          {"failed", t.failed},
+          {"undecided", t.undecided},
+          {"not_applicable", t.not_applicable},
+          {"not_run", t.not_run},
+          {"waived", t.waived}};
+}
+
+std::string results_json(const Report& report) {
+  const Outcome& outcome = *report.outcome;
+  Json rulesets = Json::array();
+  for (const RuleSet& set : outcome.rulesets) {
+    rulesets.push_back({{"id", set.id}, {"revision", set.revision}, {"sha256", set.sha256}});
+  }
+  Json rules = Json::array();
+  for (const RuleResult& result : outcome.results) rules.push_back(rule(result));
+  const Json json = {{"schema", "gabarit.results/1"},    {"gabarit", report.version},
+                     {"verdict", name(outcome.verdict)}, {"model", model(report)},
+                     {"rulesets", std::move(rulesets)},  {"device", outcome.device},
+                     {"rules", std::move(rules)},        {"totals", totals(outcome.totals)}};
+  // Names in a model may hold bytes that are not UTF-8; they are replaced, never a reason to write nothing.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace gabarit
