@@ -1,8 +1,8 @@
 #include "rules/judge_field.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -65,24 +65,27 @@ std::vector<std::size_t> judge_facets(const TriangleMesh& mesh, RuleResult& resu
 const char* why_undecided(const RuleResult& result, std::size_t entry) {
   const Field& field = result.field;
   switch (field.absence[entry]) {
-    case Absence::open: return "nothing bounds the measure there, the mesh is open";
-    case Absence::degenerate: return "they have no normal";
-    case Absence::too_little: return "the mesh turns too little there to tell";
+    case Absence::open: return "nothing bounds the measure, the mesh is open";
+    case Absence::degenerate: return "there is no normal";
+    case Absence::too_little: return "the mesh turns too little to tell";
     case Absence::none: break;
   }
   const FacetVerdict if_selected =
       judge(field.lower[entry], field.upper[entry], result.rule.require.limit, Selected::yes);
-  return if_selected == FacetVerdict::fail ? "it is not certain that the rule looks at them"
-                                           : "the limit lies between their bounds";
+  return if_selected == FacetVerdict::fail ? "it is not certain that the rule looks there"
+                                           : "the limit lies between the bounds";
 }
 
+// Small areas keep their digits.
+std::string area_text(double area) { return fmt::format(area < 10 ? "{:.3g}" : "{:.1f}", area); }
+
 std::string undecided_reason(const RuleResult& result) {
-  std::vector<std::pair<const char*, std::size_t>> causes;
+  std::vector<std::pair<std::string_view, std::size_t>> causes;
   for (std::size_t i = 0; i < result.facet_verdicts.size(); ++i) {
     if (result.facet_verdicts[i] != FacetVerdict::undecided) continue;
-    const char* cause = why_undecided(result, i);
-    const auto known = std::find_if(causes.begin(), causes.end(),
-                                    [&](const auto& c) { return std::string_view(c.first) == cause; });
+    const std::string_view cause = why_undecided(result, i);
+    const auto known =
+        std::find_if(causes.begin(), causes.end(), [&](const auto& c) { return c.first == cause; });
     if (known == causes.end()) {
       causes.emplace_back(cause, 1);
     } else {
@@ -91,10 +94,10 @@ std::string undecided_reason(const RuleResult& result) {
   }
   std::stable_sort(causes.begin(), causes.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text = fmt::format("{} of {} facets ({:.1f} mm²) are undecided", result.facets_undecided,
-                                 result.facets_examined, result.area_undecided);
-  for (const auto& [cause, count] : causes) {
-    text += fmt::format("{} {}: {}", &cause == &causes.front().first ? ":" : ";", count, cause);
+  std::string text = fmt::format("Undecided on {} of {} facets ({} mm²)", result.facets_undecided,
+                                 result.facets_examined, area_text(result.area_undecided));
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    text += fmt::format("{} {} ({})", i == 0 ? ":" : ";", causes[i].first, causes[i].second);
   }
   return text + ".";
 }
@@ -122,7 +125,9 @@ void note_degenerate(RuleResult& result) {
   const std::size_t count = result.field.size() - result.facets_examined;
   if (count == 0) return;
   std::string note =
-      fmt::format("{} selected facets have no area: they cover no surface and were not judged.", count);
+      count == 1
+          ? "One selected facet has no area: it covers no surface and was not judged."
+          : fmt::format("{} selected facets have no area: they cover no surface and were not judged.", count);
   std::vector<std::string>& notes = result.field.notes;
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
 }

@@ -97,8 +97,7 @@ TEST(Engine, a_limit_inside_the_bounds_is_undecided_and_says_why) {
   EXPECT_EQ(result.facets_undecided, 4U);
   ASSERT_EQ(result.findings.size(), 2U);
   EXPECT_EQ(result.findings[0].verdict, Verdict::undecided);
-  EXPECT_EQ(result.reason,
-            "4 of 24 facets (200.0 mm²) are undecided: 4: the limit lies between their bounds.");
+  EXPECT_EQ(result.reason, "Undecided on 4 of 24 facets (200.0 mm²): the limit lies between the bounds (4).");
 }
 
 TEST(Engine, fails_are_listed_before_undecided_patches_and_name_the_worst) {
@@ -138,7 +137,7 @@ TEST(Engine, a_facet_that_is_only_maybe_selected_is_undecided_not_failed) {
   const RuleResult result = run_rule(two_boxes(), rule).results.at(0);  // the far side at x = 50: maybe
   EXPECT_EQ(result.verdict, Verdict::undecided);
   EXPECT_EQ(result.facets_undecided, 2U);
-  EXPECT_THAT(result.reason, HasSubstr("it is not certain that the rule looks at them"));
+  EXPECT_THAT(result.reason, HasSubstr("it is not certain that the rule looks there (2)"));
 }
 
 TEST(Engine, a_rule_that_throws_is_not_run_and_the_others_still_run) {
@@ -168,7 +167,7 @@ TEST(Engine, facets_without_area_are_noted_and_broken_ones_are_undecided) {
   EXPECT_EQ(fine.verdict, Verdict::pass);
   EXPECT_EQ(fine.facets_examined, 12U);
   EXPECT_THAT(fine.field.notes,
-              ElementsAre("1 selected facets have no area: they cover no surface and were not judged."));
+              ElementsAre("One selected facet has no area: it covers no surface and was not judged."));
   Model model = shapes::model(triangles);
   model.mesh.facets.back()[1] = static_cast<VertexId>(model.mesh.vertices.size());
   model.mesh.vertices.push_back({NAN, 0, 0});
