@@ -36,7 +36,7 @@ DiskPath disk_path(const OutlineFeatures& outline, double radius, const Device& 
   DiskPath path;
   path.radius = radius;
   std::vector<PathPiece> all = free_pieces(outline, radius, device, reach);
-  const std::vector<bool> reached = number_components(all, radius);
+  const std::vector<bool> reached = number_components(all, outline, radius);
   std::vector<std::uint32_t> number(reached.size(), 0);
   for (std::size_t c = 0; c < reached.size(); ++c) {
     if (reached[c]) number[c] = path.components++;

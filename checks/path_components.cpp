@@ -5,8 +5,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "checks/path_joins.h"
+#include "checks/segment_grid.h"
+
 namespace gabarit {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class UnionFind {
  public:
@@ -28,140 +33,157 @@ class UnionFind {
   std::vector<std::size_t> parent_;
 };
 
-struct End {
-  Point2 at;
-  std::size_t piece;
-  bool joined = false;
-};
+Box2 box_of(const PathPiece& piece, double radius) {
+  Box2 box;
+  box.add(piece.from);
+  box.add(piece.to);
+  if (!piece.arc) return box;
+  for (int quarter = 0; quarter <= 4; ++quarter) {
+    const double angle = quarter * std::numbers::pi / 2;
+    if (piece.from_angle <= angle && angle <= piece.to_angle)
+      box.add(piece.centre + Point2{std::cos(angle), std::sin(angle)} * radius);
+  }
+  return box;
+}
 
-// Ends nearer than this are one point. Two disks that leave a gap of d between them (d < 0: they overlap)
-// part by 2 sqrt(R |d|), so only gaps within some 1e-14 mm of the diameter are taken for the diameter.
-constexpr double same_point = 1e-6;
-// Ends that rounding has moved along nearly parallel curves: only those that found no partner, and still
-// nearer than the ends at a mouth that is 4e-8 mm too narrow.
-constexpr double moved_point = 5e-3;
-
-void join_near_ends(std::vector<End>& ends, double reach, UnionFind& groups, bool lonely_only) {
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    for (std::size_t j = i + 1; j < ends.size() && ends[j].at.x - ends[i].at.x <= reach; ++j) {
-      if (lonely_only && ends[i].joined && ends[j].joined) continue;
-      if (ends[i].piece == ends[j].piece || length(ends[j].at - ends[i].at) > reach) continue;
-      groups.join(ends[i].piece, ends[j].piece);
-      if (!lonely_only) ends[i].joined = ends[j].joined = true;
+void join_meeting(const std::vector<PathPiece>& pieces, double radius, double near, UnionFind& groups) {
+  std::vector<Box2> box;
+  box.reserve(pieces.size());
+  for (const PathPiece& piece : pieces) box.push_back(box_of(piece, radius));
+  std::vector<std::size_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return box[a].low.x != box[b].low.x ? box[a].low.x < box[b].low.x : a < b;
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t a = order[i];
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const std::size_t b = order[j];
+      if (box[b].low.x > box[a].high.x + near) break;
+      if (box[b].low.y > box[a].high.y + near || box[b].high.y < box[a].low.y - near) continue;
+      if (groups.root(a) != groups.root(b) && meet(pieces[a], pieces[b], radius, near)) groups.join(a, b);
     }
   }
 }
 
-void join_ends(const std::vector<PathPiece>& pieces, UnionFind& groups) {
-  std::vector<End> ends;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    ends.push_back({pieces[i].from, i});
-    ends.push_back({pieces[i].to, i});
-  }
-  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
-    return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y != b.at.y ? a.at.y < b.at.y : a.piece < b.piece;
-  });
-  join_near_ends(ends, same_point, groups, false);
-  join_near_ends(ends, moved_point, groups, true);
-}
+// What the disk meets first on its way from a free place to +x.
+class Ray {
+ public:
+  Ray(const OutlineFeatures& outline, double radius) : outline_(outline), radius_(radius) {}
 
-// The place of a piece furthest to +x, and how far to the right of its feature that is (negative: left).
-struct Rightmost {
-  Point2 at;
-  double right_of_feature;
+  // Nothing of the outline is nearer to the disk's centre than `gap`.
+  bool clear(Point2 centre, double gap) const {
+    const auto far = [&](Point2 a, Point2 b) {
+      return std::max(a.x, b.x) < centre.x - gap || point_segment_distance(centre, a, b) >= gap;
+    };
+    for (const Point2 p : outline_.points) {
+      if (!far(p, p)) return false;
+    }
+    for (const auto& [a, b] : outline_.edges) {
+      if (!far(outline_.points[a], outline_.points[b])) return false;
+    }
+    return true;
+  }
+  // How far the disk moves until it touches; infinity when it leaves.
+  double free_way(Point2 from) const {
+    double way = infinity;
+    for (const Point2 p : outline_.points) {
+      const double y = p.y - from.y;
+      if (p.x <= from.x || std::abs(y) >= radius_) continue;
+      way = std::min(way, p.x - from.x - std::sqrt((radius_ - y) * (radius_ + y)));
+    }
+    for (const auto& [a, b] : outline_.edges) way = std::min(way, way_to(from, a, b));
+    return std::max(way, 0.0);
+  }
+
+ private:
+  // To the line beside the edge on which the disk touches the edge's inside.
+  double way_to(Point2 from, std::uint32_t a, std::uint32_t b) const {
+    const Point2 p = outline_.points[a];
+    const Point2 along = outline_.points[b] - p;
+    const double size = length(along);
+    const Point2 normal = Point2{-along.y, along.x} * (1 / size);
+    if (normal.x == 0) return infinity;
+    const double beside = dot(from - p, normal);
+    const double way = (beside > 0 ? radius_ - beside : -radius_ - beside) / normal.x;
+    const double foot = dot(from + Point2{way, 0} - p, along);
+    return way >= 0 && foot >= 0 && foot <= size * size ? way : infinity;
+  }
+
+  const OutlineFeatures& outline_;
+  double radius_;
 };
 
-Rightmost rightmost(const PathPiece& piece) {
-  // Angles run from 0 to 2 pi, so only an arc that begins or ends at 0 points straight to +x.
-  const bool end = piece.to.x > piece.from.x;
-  const Point2 at = end ? piece.to : piece.from;
-  if (piece.arc) return {at, at.x - piece.centre.x};
-  const Point2 along = piece.to - piece.from;
-  const Point2 across = piece.from - piece.foot;
-  return {at, across.x != 0 ? across.x : -along.x};
+double rounding(const OutlineFeatures& outline, double radius) {
+  double size = radius;
+  for (const Point2 p : outline.points) size = std::max({size, std::abs(p.x), std::abs(p.y)});
+  return 16 * std::numeric_limits<double>::epsilon() * size;
 }
 
-// x of the first meeting with the ray from `at` to +x; infinity when there is none.
-double meeting(const PathPiece& piece, Point2 at, double radius) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  constexpr double slack = 1e-9;
-  const double beyond = at.x + slack;
-  if (!piece.arc) {
-    const double low = std::min(piece.from.y, piece.to.y);
-    const double high = std::max(piece.from.y, piece.to.y);
-    if (at.y < low - slack || at.y > high + slack) return none;
-    const double dy = piece.to.y - piece.from.y;
-    const double t = dy != 0 ? std::clamp((at.y - piece.from.y) / dy, 0.0, 1.0) : 0;
-    double x = piece.from.x + (piece.to.x - piece.from.x) * t;
-    if (dy == 0)
-      x = std::min(piece.from.x, piece.to.x) > beyond ? std::min(piece.from.x, piece.to.x)
-                                                      : std::max(piece.from.x, piece.to.x);
-    return x > beyond ? x : none;
+// The place of a piece furthest to +x: angles run from 0 to 2 pi, so it is an end of an arc, too.
+Point2 rightmost(const PathPiece& piece) { return piece.to.x > piece.from.x ? piece.to : piece.from; }
+
+struct Group {
+  Point2 right{-infinity, 0};
+  bool cut = false;
+};
+
+// The component that the free space to the right of a group belongs to; the group's own when it is open to
+// infinity, none when there is an obstacle: then the group is the rim of a hole.
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+std::size_t leads_to(const std::vector<PathPiece>& pieces, std::size_t group, const Group& rim,
+                     const Ray& ray, double radius, double near) {
+  const Point2 beside = rim.right + Point2{near / 2, 0};
+  if (!ray.clear(beside, radius + near / 8)) return none;
+  const double way = ray.free_way(beside);
+  if (way == infinity) return group;
+  const Point2 touch = beside + Point2{way, 0};
+  std::size_t nearest = group;
+  double least = infinity;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double d = distance(pieces[i], radius, touch);
+    if (d < least) {
+      least = d;
+      nearest = i;
+    }
   }
-  const double y = at.y - piece.centre.y;
-  if (std::abs(y) > radius + slack) return none;
-  const double half = std::sqrt(std::max(0.0, radius * radius - y * y));
-  double first = none;
-  for (const double x : {-half, half}) {
-    double angle = std::atan2(y, x);
-    if (angle < 0) angle += 2 * std::numbers::pi;
-    const bool inside = angle >= piece.from_angle - slack && angle <= piece.to_angle + slack;
-    const bool seam = angle < slack && piece.to_angle > 2 * std::numbers::pi - slack;
-    if ((inside || seam) && piece.centre.x + x > beyond) first = std::min(first, piece.centre.x + x);
-  }
-  return first;
+  // A touch that no piece knows of lies where the disk was told not to look: out of reach.
+  return least <= near ? nearest : none;
 }
 
 }  // namespace
 
-std::vector<bool> number_components(std::vector<PathPiece>& pieces, double radius) {
+std::vector<bool> number_components(std::vector<PathPiece>& pieces, const OutlineFeatures& outline,
+                                    double radius) {
+  const double near = 4 * std::sqrt(radius * rounding(outline, radius));
   UnionFind groups(pieces.size());
-  join_ends(pieces, groups);
-  std::vector<Rightmost> best(pieces.size(), {{-std::numeric_limits<double>::infinity(), 0}, 0});
+  join_meeting(pieces, radius, near, groups);
+  std::vector<Group> rim(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Rightmost& b = best[groups.root(i)];
-    if (const Rightmost mine = rightmost(pieces[i]); mine.at.x > b.at.x) b = mine;
+    Group& group = rim[groups.root(i)];
+    const Point2 right = rightmost(pieces[i]);
+    if (right.x > group.right.x || (right.x == group.right.x && right.y > group.right.y)) group.right = right;
+    // What goes on out of reach is out of reach itself.
+    group.cut = group.cut || pieces[i].cut;
   }
-  // Around an obstacle the rightmost place lies to the right of every feature that is touched there; a pocket
-  // ends in front of a wall or between two features.
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Rightmost& b = best[groups.root(i)];
-    const Rightmost mine = rightmost(pieces[i]);
-    if (mine.at.x >= b.at.x - same_point)
-      b.right_of_feature = std::min(b.right_of_feature, mine.right_of_feature);
-  }
-  // What goes on out of reach is out of reach itself.
-  std::vector<bool> cut(pieces.size(), false);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (pieces[i].cut) cut[groups.root(i)] = true;
-  }
-  const std::size_t infinity = pieces.size();
+  const Ray ray(outline, radius);
+  const std::size_t outside = pieces.size();
   UnionFind spaces(pieces.size() + 1);
-  for (std::size_t i = 0; i < pieces.size(); ++i) spaces.join(i, groups.root(i));
-  for (std::size_t root = 0; root < pieces.size(); ++root) {
-    const Rightmost& start = best[root];
-    if (groups.root(root) != root || cut[root] || start.right_of_feature <= 0)
-      continue;  // the free space lies inside
-    std::size_t hit = infinity;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (groups.root(i) == root) continue;
-      if (const double x = meeting(pieces[i], start.at, radius); x < nearest) {
-        nearest = x;
-        hit = i;
-      }
-    }
-    spaces.join(root, hit);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (groups.root(i) != i || rim[i].cut) continue;
+    const std::size_t to = leads_to(pieces, i, rim[i], ray, radius, near);
+    if (to != none) spaces.join(i, to == i ? outside : groups.root(to));
   }
   std::vector<std::uint32_t> number(pieces.size(), 0);
   std::vector<bool> reached;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    std::uint32_t& n = number[groups.root(i)];
-    if (n == 0) {
-      reached.push_back(!cut[groups.root(i)] && spaces.root(i) == spaces.root(infinity));
-      n = static_cast<std::uint32_t>(reached.size());
+    const std::size_t group = groups.root(i);
+    if (number[group] == 0) {
+      reached.push_back(!rim[group].cut && spaces.root(group) == spaces.root(outside));
+      number[group] = static_cast<std::uint32_t>(reached.size());
     }
-    pieces[i].component = n - 1;
+    pieces[i].component = number[group] - 1;
   }
   return reached;
 }

@@ -1,13 +1,16 @@
-// Which pieces of a disk's path hang together, and which of them a disk from outside can get to.
+// Which pieces of a disk's path hang together, and which of them the disk reaches from far away.
 #pragma once
+
+#include <vector>
 
 #include "checks/disk_path.h"
 
 namespace gabarit {
 
-// Numbers the components of `pieces` (PathPiece::component) and says of each whether the free space beside it
-// is connected to infinity. Free space is connected across an island by a ray from the island's rightmost
-// point to the next component it meets.
-std::vector<bool> number_components(std::vector<PathPiece>& pieces, double radius);
+// Numbers the components of the path's pieces; says of each whether it is connected to infinity. Two free
+// places nearer than d to each other count as joined: the midpoint between them is free for a disk whose
+// radius is smaller by d² / 8R, which is made less than the rounding of the coordinates.
+std::vector<bool> number_components(std::vector<PathPiece>& pieces, const OutlineFeatures& outline,
+                                    double radius);
 
 }  // namespace gabarit

@@ -43,7 +43,8 @@ TEST(VerticalCylinderContact, a_box_of_twelve_facets_is_touched_along_its_long_f
   EXPECT_EQ(count(all, Selected::yes), 12U);  // the lids too: their rims are touched
 }
 
-// Two walls and a floor that leave a pocket open to the front and one to the rear; the floor's facets are the last twelve.
+// Two walls and a floor that leave a pocket open to the front and one to the rear; the floor's facets are the
+// last twelve.
 shapes::Triangles pocket(double mouth) {
   const double h = mouth / 2;
   return shapes::joined(
