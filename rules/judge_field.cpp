@@ -77,7 +77,9 @@ const char* why_undecided(const RuleResult& result, std::size_t entry) {
 }
 
 // Small areas keep their digits.
-std::string area_text(double area) { return fmt::format(area < 10 ? "{:.3g}" : "{:.1f}", area); }
+std::string area_text(double area) {
+  return area < 10 ? fmt::format("{:.3g}", area) : fmt::format("{:.1f}", area);
+}
 
 std::string undecided_reason(const RuleResult& result) {
   std::vector<std::pair<std::string_view, std::size_t>> causes;
