@@ -1,5 +1,5 @@
 // Writes the outputs of a run. Each file is written beside its place and renamed: a killed run leaves no half
-// file.
+// file. Outputs of an earlier run in the same folder are removed.
 #pragma once
 
 #include <filesystem>
@@ -18,6 +18,7 @@ struct WriteOptions {
   std::vector<Format> formats{Format::pdf, Format::stl, Format::json};
   bool fields = false;
   int threads = 0;
+  std::function<std::string()> run_record;  // the text of run.json, asked for last; empty: no such file
   std::function<void(const char* stage, double fraction)> progress;  // may be empty
 };
 

@@ -1,0 +1,46 @@
+#include "report/finding_text.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/display_unit.h"
+#include "report/number_text.h"
+
+namespace gabarit {
+
+// The bound of the limit that a value is nearest to.
+static double nearest_bound(double value, const Limit& limit) {
+  if (limit.kind == Limit::Kind::at_least) return limit.low;
+  if (limit.kind == Limit::Kind::at_most) return limit.high;
+  return std::abs(value - limit.low) < std::abs(value - limit.high) ? limit.low : limit.high;
+}
+
+std::string worst_sentence(const Worst& w, const Requirement& require) {
+  const DisplayUnit unit =
+      display_unit(require.measure != nullptr ? require.measure->dimension : Dimension::length);
+  const auto shown = [&](double value) {
+    return number_text(value * unit.factor, nearest_bound(value, require.limit) * unit.factor);
+  };
+  return fmt::format("{} {} {} ({} to {}), required: {}, at ({:.1f}, {:.1f}, {:.1f})",
+                     require.measure != nullptr ? require.measure->name : "value", shown(w.value), unit.name,
+                     shown(w.lower), shown(w.upper), require.limit_text, w.at.x, w.at.y, w.at.z);
+}
+
+std::string examined_text(const RuleResult& result) {
+  return fmt::format("of {} facets, {} mm² examined", result.facets_examined,
+                     number_text(result.area_examined));
+}
+
+std::string rule_sentence(const RuleResult& result) {
+  std::string text;
+  if (result.verdict == Verdict::fail) text = fmt::format("{} facets fail, ", result.facets_failed);
+  if (result.verdict == Verdict::undecided)
+    text = fmt::format("{} facets are undecided, ", result.facets_undecided);
+  text += examined_text(result) + '.';
+  if (result.has_worst) text += " Worst: " + worst_sentence(result.worst, result.rule.require) + '.';
+  if (!result.reason.empty()) text += ' ' + result.reason;
+  return text;
+}
+
+}  // namespace gabarit

@@ -1,0 +1,79 @@
+#include "report/write_junit.h"
+
+#include <fmt/format.h>
+
+#include "report/finding_text.h"
+#include "report/xml_text.h"
+
+namespace gabarit {
+
+struct Counts {
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+
+  void add(Verdict verdict) {
+    ++tests;
+    failures += verdict == Verdict::fail ? 1 : 0;
+    errors += verdict == Verdict::undecided || verdict == Verdict::not_run ? 1 : 0;
+    skipped += verdict == Verdict::not_applicable ? 1 : 0;
+  }
+  std::string attributes() const {
+    return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}")", tests, failures, errors,
+                       skipped);
+  }
+};
+
+static std::string body(const RuleResult& result) {
+  constexpr std::size_t listed = 100;
+  std::string text = rule_sentence(result) + '\n';
+  for (std::size_t i = 0; i < result.findings.size() && i < listed; ++i) {
+    const Finding& f = result.findings[i];
+    text += fmt::format("{} {}: {}\n", name(f.verdict), f.id, worst_sentence(f.worst, result.rule.require));
+  }
+  if (result.findings.size() > listed) text += fmt::format("… {} findings in all\n", result.findings.size());
+  return text;
+}
+
+static std::string element(const char* tag, const RuleResult& result) {
+  return fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", tag, name(result.verdict),
+                     xml_text(rule_sentence(result)), xml_text(body(result)));
+}
+
+static std::string outcome_element(const RuleResult& result) {
+  switch (result.verdict) {
+    case Verdict::pass:
+      return fmt::format("      <system-out>{}</system-out>\n", xml_text(rule_sentence(result)));
+    case Verdict::not_applicable:
+      return fmt::format("      <skipped message=\"{}\"/>\n", xml_text(rule_sentence(result)));
+    case Verdict::fail: return element("failure", result);
+    case Verdict::undecided:
+    case Verdict::not_run: break;
+  }
+  return element("error", result);
+}
+
+static std::string suite(const Report& report, std::size_t set) {
+  std::string cases;
+  Counts counts;
+  const RuleSet& rules = report.outcome->rulesets[set];
+  for (const RuleResult& result : report.outcome->results) {
+    if (result.ruleset != set) continue;
+    counts.add(result.verdict);
+    cases +=
+        fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n{}    </testcase>\n", xml_text(rules.id),
+                    xml_text(result.rule.id + ": " + result.rule.title), outcome_element(result));
+  }
+  return fmt::format("  <testsuite name=\"{}\" {}>\n{}  </testsuite>\n", xml_text(rules.id),
+                     counts.attributes(), cases);
+}
+
+std::string junit_xml(const Report& report) {
+  Counts counts;
+  std::string suites;
+  for (const RuleResult& result : report.outcome->results) counts.add(result.verdict);
+  for (std::size_t set = 0; set < report.outcome->rulesets.size(); ++set) suites += suite(report, set);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"gabarit {}\" {}>\n{}</testsuites>\n",
+      xml_text(report.model->file), counts.attributes(), suites);
+}
+
+}  // namespace gabarit
