@@ -112,28 +112,33 @@ TEST(DiskPath, overlapping_collinear_sides_and_tees_do_not_hide_each_other) {
   EXPECT_EQ(touched(sides, 20), std::vector<bool>(5, true));
 }
 
-TEST(DiskPath, a_wall_of_sides_that_overlap_without_sharing_ends_is_one_wall) {
-  Sides sides;
-  add_side(sides, {0, 0}, {0, 13});
-  add_side(sides, {0, 13}, {8, 13});
-  add_side(sides, {2, 13}, {9, 13});
-  add_side(sides, {9, 13}, {9, 0});
-  add_side(sides, {9, 0}, {0, 0});
-  EXPECT_EQ(touched(sides, 5), std::vector<bool>(5, true));
-  EXPECT_EQ(disk_path(outline_features(sides), 5, Device::cpu(1)).components, 1U);
+TEST(DiskPath, a_path_along_sides_that_overlap_without_sharing_ends_hangs_together) {
+  Sides cross;
+  add_side(cross, {20, 20}, {4, 20});
+  add_side(cross, {0, 20}, {5, 20});
+  add_side(cross, {3, 17}, {3, 23});
+  EXPECT_EQ(touched(cross, 0.5), std::vector<bool>(3, true));
+  EXPECT_EQ(disk_path(outline_features(cross), 0.5, Device::cpu(1)).components, 1U);
+  Sides corner;
+  add_side(corner, {1, 10}, {0, 10});
+  add_side(corner, {2, 13}, {9, 13});
+  add_side(corner, {0, 6}, {0, 13});
+  add_side(corner, {0, 13}, {8, 13});
+  add_side(corner, {0, 0}, {0, 7});
+  add_side(corner, {0, 7}, {3, 7});
+  const auto touch = touched(corner, 5);
+  EXPECT_TRUE(std::all_of(touch.begin() + 1, touch.end(), [](bool t) { return t; }));
 }
 
 TEST(DiskPath, a_closed_room_as_wide_as_the_disk_is_not_reached) {
-  // The disk has room to slide along the two walls, between a point and a plug, and no way in.
+  // Between two walls the disk has room to move by a sixth of a millimetre, and no way in.
   Sides sides;
-  add_side(sides, {0, 150}, {1000, 150});
-  add_side(sides, {0, -150}, {1000, -150});
-  add_side(sides, {200, -150}, {200, 150});
-  add_side(sides, {800, -150}, {800, 150});
-  add_side(sides, {300, 50}, {300, 50});
-  EXPECT_EQ(touched(sides, 150), (std::vector<bool>{true, true, true, true, false}));
-  sides.erase(sides.begin() + 2);
-  EXPECT_TRUE(touched(sides, 150).back());
+  add_side(sides, {9, 9}, {9, 9});
+  add_side(sides, {12, 8}, {18, 8});
+  add_side(sides, {8, 13}, {8, 5});
+  add_side(sides, {11, 7}, {5, 7});
+  add_side(sides, {13, 10}, {0, 10});
+  EXPECT_EQ(touched(sides, 1.5), (std::vector<bool>{false, true, true, true, true}));
 }
 
 TEST(DiskPath, an_edge_inside_the_projection_is_dropped) {
