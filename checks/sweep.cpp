@@ -7,9 +7,15 @@
 namespace gabarit {
 namespace {
 
-constexpr double spacing = 0.05;
+// Between places that are compared, mm; more when the path is so long that they would not fit in memory.
+double spacing_of(const DiskPath& path) {
+  double all = 0;
+  for (const PathPiece& piece : path.pieces)
+    all += piece.arc ? (piece.to_angle - piece.from_angle) * path.radius : length(piece.to - piece.from);
+  return std::max(0.05, all / 2e6);
+}
 
-int steps_of(const PathPiece& piece, double radius) {
+int steps_of(const PathPiece& piece, double radius, double spacing) {
   const double l = piece.arc ? (piece.to_angle - piece.from_angle) * radius : length(piece.to - piece.from);
   return 1 + static_cast<int>(l / spacing);
 }
@@ -32,12 +38,12 @@ PathPiece part(const PathPiece& piece, double radius, double t0, double t1) {
 // For each x the greatest x + side * y of all places further forward.
 class Front {
  public:
-  Front(const DiskPath& path, double middle, double side) {
+  Front(const DiskPath& path, double spacing, double side) {
     for (const PathPiece& piece : path.pieces) {
-      const int steps = steps_of(piece, path.radius);
+      const int steps = steps_of(piece, path.radius, spacing);
       for (int i = 0; i <= steps; ++i) {
         const Point2 c = place(piece, path.radius, static_cast<double>(i) / steps);
-        if (side * (c.y - middle) >= 0) records_.push_back({c.x, c.x + side * (c.y - middle)});
+        records_.push_back({c.x, c.x + side * c.y});
       }
     }
     std::sort(records_.begin(), records_.end(),
@@ -57,17 +63,17 @@ class Front {
 
 }  // namespace
 
-DiskPath sweep_part(const DiskPath& path, double middle) {
+DiskPath sweep_part(const DiskPath& path) {
+  const double spacing = spacing_of(path);
   DiskPath out{.radius = path.radius, .pieces = {}, .components = path.components};
   for (const double side : {1.0, -1.0}) {
-    const Front front(path, middle, side);
+    const Front front(path, spacing, side);
     for (const PathPiece& piece : path.pieces) {
-      const int steps = steps_of(piece, path.radius);
+      const int steps = steps_of(piece, path.radius, spacing);
       int begin = -1;
       for (int i = 0; i <= steps + 1; ++i) {
         const Point2 c = place(piece, path.radius, std::min(1.0, static_cast<double>(i) / steps));
-        const double y = side * (c.y - middle);
-        const bool kept = i <= steps && y >= 0 && c.x + y >= front.before(c.x) - 2 * spacing;
+        const bool kept = i <= steps && c.x + side * c.y >= front.before(c.x) - 2 * spacing;
         if (kept && begin < 0) begin = i;
         if (!kept && begin >= 0) {
           const double t0 = std::max(0, begin - 1);

@@ -134,7 +134,7 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
   for (std::size_t k = 0; k < 3; ++k) {
     const double radius = column.radius + (k == 0 ? 0 : k == 1 ? -sag : sag);
     paths[k] = disk_path(outline, radius, scene.device(), &reach);
-    if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k], (plan.low().y + plan.high().y) / 2);
+    if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k]);
     depths[k] = contact_depths(sides, paths[k], column.tolerance);
     if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
   }

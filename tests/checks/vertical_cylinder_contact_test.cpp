@@ -126,6 +126,18 @@ TEST(VerticalCylinderContact, a_sweep_misses_what_lies_in_the_lee_of_a_wide_part
   EXPECT_GT(count(sweep, Selected::yes, 0, 12), 0U);
 }
 
+TEST(VerticalCylinderContact, a_sweep_may_cross_the_middle_behind_a_part_of_one_side) {
+  // Two posts left of the middle, the second a little further in: a column that passes the first on its inner
+  // side meets the front of the second.
+  auto shapes = shapes::joined(box({0, -500, 0}, {50, -400, 300}), box({300, -300, 0}, {350, -200, 300}));
+  shapes = shapes::joined(shapes, box({2000, 0, 0}, {2050, 500, 300}));
+  const auto sweep = touched(shapes, {.motion = Motion::sweep});
+  const TriangleMesh mesh = shapes::mesh(shapes);
+  for (FacetId f = 12; f < 24; ++f) {
+    if (facet_normal(mesh, f).x < -0.5) EXPECT_EQ(sweep[f], Selected::yes) << f;
+  }
+}
+
 shapes::Triangles yard() {
   auto all = shapes::joined(pocket(500), box({200, -30, 0}, {230, 0, 400}));
   return shapes::joined(all, shapes::moved(shapes::sphere(80, 24, 48), {-300, 0, 100}));
