@@ -134,7 +134,8 @@ TEST(VerticalCylinderContact, a_sweep_may_cross_the_middle_behind_a_part_of_one_
   const auto sweep = touched(shapes, {.motion = Motion::sweep});
   const TriangleMesh mesh = shapes::mesh(shapes);
   for (FacetId f = 12; f < 24; ++f) {
-    if (facet_normal(mesh, f).x < -0.5) EXPECT_EQ(sweep[f], Selected::yes) << f;
+    const bool front = facet_normal(mesh, f).x < -0.5;
+    EXPECT_TRUE(!front || sweep[f] == Selected::yes) << f;
   }
 }
 
