@@ -8,6 +8,12 @@
 namespace gabarit {
 namespace {
 
+// Also false for NaN. Beyond 1000 km a coordinate is rounded by more than 1e-7 mm.
+bool measurable(const Vec3d& p) {
+  constexpr double most = 1e9;
+  return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
+}
+
 struct Corner {
   Vec3d p;
   std::uint8_t edge;  // of the side that starts here
@@ -63,9 +69,11 @@ PlanProjection::PlanProjection(const TriangleMesh& mesh, const Frame& frame, con
   low_ = {far, far};
   high_ = {-far, -far};
   for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    const auto& [i, j, k] = mesh.facets[f];
+    if (!measurable(vertices_[i]) || !measurable(vertices_[j]) || !measurable(vertices_[k])) ++left_out_;
     const PlanPolygon part = polygon(f);
-    for (int i = 0; i < part.size; ++i) {
-      const Point2 p = part.corner[static_cast<std::size_t>(i)];
+    for (int n = 0; n < part.size; ++n) {
+      const Point2 p = part.corner[static_cast<std::size_t>(n)];
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
       high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
     }
@@ -80,7 +88,7 @@ PlanPolygon PlanProjection::polygon(FacetId f) const {
   bool inside = true;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3d& p = vertices_[facet[i]];
-    if (!is_finite(p)) return out;
+    if (!measurable(p)) return out;
     part.corner[i] = {p, static_cast<std::uint8_t>(i)};
     inside = inside && band_.contains(p.z);
   }

@@ -8,6 +8,7 @@
 
 #include "checks/certified.h"
 #include "checks/contact_depth.h"
+#include "checks/contact_notes.h"
 #include "checks/reach_grid.h"
 #include "checks/sweep.h"
 
@@ -48,21 +49,6 @@ Selected state(bool nominal, bool smaller, bool larger) {
   return nominal || smaller || larger ? Selected::maybe : Selected::no;
 }
 
-Trace trace_of(const PathPiece& piece, double radius, const Frame& frame) {
-  Trace trace{.name = "path of the column's axis", .points = {}, .closed = false};
-  const auto add = [&](Point2 p) { trace.points.push_back(frame.from_vehicle({p.x, p.y, 0})); };
-  const double turn = piece.to_angle - piece.from_angle;
-  const double step = 2 * std::acos(std::max(0.0, 1 - 1 / radius));  // 1 mm sag
-  const int steps = piece.arc ? 1 + static_cast<int>(turn / step) : 1;
-  for (int i = 0; i <= steps; ++i) {
-    const double t = static_cast<double>(i) / steps;
-    const double angle = piece.from_angle + turn * t;
-    add(piece.arc ? piece.centre + Point2{std::cos(angle), std::sin(angle)} * radius
-                  : piece.from + (piece.to - piece.from) * t);
-  }
-  return trace;
-}
-
 // The lowest depth and, for each of the three radii, whether it is touched; of a facet and of its edges.
 struct Touch {
   std::array<bool, 3> facet{};
@@ -100,19 +86,6 @@ void drop_rear_facing(Region& region, const TriangleMesh& mesh, const Frame& fra
   }
 }
 
-void add_notes(Region& region, const std::array<DiskPath, 3>& paths) {
-  std::size_t maybe = 0;
-  for (const Selected s : region.facets) maybe += s == Selected::maybe;
-  const DiskPath& nominal = paths[0];
-  region.notes.push_back(fmt::format("The column goes around {} separate outline{} of the plan view.",
-                                     nominal.components, nominal.components == 1 ? "" : "s"));
-  if (maybe > 0) {
-    region.notes.push_back(fmt::format(
-        "Whether {} facets are touched depends on the sag: a column larger or smaller by it touches others.",
-        maybe));
-  }
-}
-
 }  // namespace
 
 Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const VerticalCylinder& column) {
@@ -124,7 +97,10 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
   region.edges.assign(mesh.facet_count(), {Selected::no, Selected::no, Selected::no});
   region.depth.assign(mesh.facet_count(), std::numeric_limits<float>::infinity());
   const PlanProjection plan(mesh, setup.frame, setup.height_band, scene.device());
-  if (plan.empty()) return region;
+  if (plan.empty()) {
+    region.notes = contact_notes(region, mesh, plan, {});
+    return region;
+  }
 
   const ReachGrid reach(plan, column.radius - sag, column.radius + sag, column.tolerance);
   const std::vector<PlanSide> sides = reachable_sides(plan, reach);
@@ -140,9 +116,8 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
   }
   select(region, sides, depths);
   if (column.motion == Motion::forward) drop_rear_facing(region, mesh, setup.frame);
-  for (const PathPiece& piece : paths[0].pieces)
-    region.traces.push_back(trace_of(piece, paths[0].radius, setup.frame));
-  add_notes(region, paths);
+  region.traces = contact_traces(paths[0], setup.frame);
+  region.notes = contact_notes(region, mesh, plan, paths[0]);
   return region;
 }
 

@@ -20,16 +20,19 @@ struct Case {
   int threads = 1;
 };
 
-std::vector<Selected> touched(const shapes::Triangles& triangles, const Case& c = {}) {
+Region region_of(const shapes::Triangles& triangles, const Case& c = {}) {
   const Model model = shapes::model(triangles, c.sag);
   const Scene scene(model, Device::cpu(c.threads));
-  Setup setup;
+  gabarit::Setup setup;
   setup.frame = c.frame;
   setup.sag = c.sag;
   setup.height_band = c.band;
   return vertical_cylinder_contact(scene, setup,
-                                   {.radius = 150, .motion = c.motion, .tolerance = std::max(1e-3, c.sag)})
-      .facets;
+                                   {.radius = 150, .motion = c.motion, .tolerance = std::max(1e-3, c.sag)});
+}
+
+std::vector<Selected> touched(const shapes::Triangles& triangles, const Case& c = {}) {
+  return region_of(triangles, c).facets;
 }
 
 std::size_t count(const std::vector<Selected>& all, Selected s, std::size_t from = 0,
@@ -180,6 +183,38 @@ TEST(VerticalCylinderContact, facets_that_are_not_finite_are_left_out) {
   shapes.push_back({{{0, 0, 0}, {std::numeric_limits<double>::infinity(), 0, 0}, {0, 1, 0}}});
   const auto all = touched(shapes);
   EXPECT_EQ(count(all, Selected::yes), 12U);
+}
+
+TEST(VerticalCylinderContact, absurd_coordinates_are_left_out_and_said) {
+  auto shapes = box({0, 0, 0}, {100, 100, 100});
+  shapes.push_back({{{0, 0, 0}, {1e300, 0, 0}, {0, -1e300, 1e308}}});
+  const Region region = region_of(shapes);
+  EXPECT_EQ(count(region.facets, Selected::yes), 12U);
+  ASSERT_FALSE(region.notes.empty());
+  EXPECT_EQ(region.notes[0], "1 facet was left out: coordinates that are not finite or beyond 1000 km.");
+}
+
+TEST(VerticalCylinderContact, the_path_around_a_box_is_one_closed_trace) {
+  const Region region = region_of(box({0, 0, 50}, {1000, 400, 100}));
+  ASSERT_EQ(region.traces.size(), 1U);
+  EXPECT_TRUE(region.traces[0].closed);
+  double around = 0;
+  const auto& points = region.traces[0].points;
+  for (std::size_t i = 1; i < points.size(); ++i) around += length(points[i] - points[i - 1]);
+  // Chords with a sag of s are shorter than their arcs by a share of s / 3R.
+  const double arcs = 300 * std::numbers::pi;
+  EXPECT_LE(around, 2800 + arcs);
+  EXPECT_GE(around, 2800 + arcs * (1 - 1.05 / (3 * 150)));
+  for (const Vec3d& p : points) EXPECT_EQ(p.z, 0.0);
+}
+
+TEST(VerticalCylinderContact, the_notes_name_the_places_that_the_sag_decides) {
+  const Region region = region_of(pocket(300.01));
+  ASSERT_EQ(region.notes.size(), 2U);
+  EXPECT_NE(region.notes[1].find("depends on the sag"), std::string::npos);
+  const Region none = region_of(pocket(300.01), {.band = {5000, 6000}});
+  ASSERT_EQ(none.notes.size(), 1U);
+  EXPECT_NE(none.notes[0].find("touches nothing"), std::string::npos);
 }
 
 TEST(VerticalCylinderContact, a_model_that_is_huge_for_the_column_stays_within_memory) {
