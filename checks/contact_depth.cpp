@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "checks/segment_grid.h"
-
 namespace gabarit {
 
 // Lines, and the ends of arcs once.
@@ -26,21 +24,26 @@ static std::vector<Segment2> centres(const DiskPath& path) {
   return lines;
 }
 
-std::vector<float> contact_depths(const std::vector<PlanSide>& sides, const DiskPath& path,
-                                  double tolerance) {
-  std::vector<float> depth(sides.size(), std::numeric_limits<float>::infinity());
+static std::vector<Segment2> segments_of(const std::vector<PlanSide>& sides) {
   std::vector<Segment2> segments;
   segments.reserve(sides.size());
   for (const PlanSide& side : sides) segments.push_back({side.from, side.to});
-  const SegmentGrid grid(segments, path.radius / 64);
+  return segments;
+}
+
+ContactDepth::ContactDepth(const std::vector<PlanSide>& sides, double radius)
+    : sides_(segments_of(sides)), grid_(sides_, radius / 64) {}
+
+std::vector<float> ContactDepth::along(const DiskPath& path, double tolerance) const {
+  std::vector<float> depth(sides_.size(), std::numeric_limits<float>::infinity());
   const double reach = path.radius + tolerance;
   for (const Segment2& centre : centres(path)) {
     Box2 box;
     box.add(centre.from);
     box.add(centre.to);
     const auto near = [&](Point2 low, Point2 high) { return box_gap(low, high, box) <= reach; };
-    grid.visit(box.low, box.high, reach, near, [&](std::uint32_t i) {
-      const double d = segment_distance(centre.from, centre.to, segments[i].from, segments[i].to);
+    grid_.visit(box.low, box.high, reach, near, [&](std::uint32_t i) {
+      const double d = segment_distance(centre.from, centre.to, sides_[i].from, sides_[i].to);
       if (d <= reach) depth[i] = std::min(depth[i], static_cast<float>(d - path.radius));
     });
   }

@@ -4,11 +4,23 @@
 #include <vector>
 
 #include "checks/disk_path.h"
+#include "checks/segment_grid.h"
 
 namespace gabarit {
 
-// dist(side, path) - R in mm for each side; +infinity where that is more than `tolerance`. The disk is empty,
-// so only the ends of arcs and the lines matter: no side comes nearer inside an arc than at its ends.
-std::vector<float> contact_depths(const std::vector<PlanSide>& sides, const DiskPath& path, double tolerance);
+class ContactDepth {
+ public:
+  // `radius`: of the disks, roughly.
+  ContactDepth(const std::vector<PlanSide>& sides, double radius);
+
+  // dist(side, path) - R in mm for each side; +infinity where that is more than `tolerance`. The disk is
+  // empty, so only the ends of arcs and the lines matter: no side comes nearer inside an arc than at its
+  // ends.
+  std::vector<float> along(const DiskPath& path, double tolerance) const;
+
+ private:
+  std::vector<Segment2> sides_;
+  SegmentGrid grid_;
+};
 
 }  // namespace gabarit

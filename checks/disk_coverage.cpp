@@ -248,6 +248,7 @@ void free_lines(const FeatureGrid& grid, std::uint32_t edge, std::vector<PathPie
   const Point2 b = outline.points[outline.edges[edge].second];
   const auto points = static_cast<std::uint32_t>(outline.points.size());
   for (const double sign : {1.0, -1.0}) {
+    if (sign * outline.area[edge] > 0) continue;
     FreeIntervals free(0, c.length);
     free.least = 1e-9;
     const auto position = [&](double t) { return c.origin + c.normal * (sign * r) + c.along * t; };

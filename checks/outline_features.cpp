@@ -59,6 +59,7 @@ OutlineFeatures outline_features(const std::vector<PlanSide>& sides) {
       const std::uint32_t a = keep(sorted[begin].low);
       const std::uint32_t b = keep(sorted[begin].high);
       out.edges.emplace_back(a, b);
+      out.area.push_back(left ? 1 : right ? -1 : 0);
     }
     begin = end;
   }

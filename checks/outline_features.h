@@ -21,6 +21,8 @@ struct PlanSide {
 struct OutlineFeatures {
   std::vector<Point2> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // of points; never the same point twice
+  // By edge, the side on which projected facets lie: 1 left, -1 right, 0 none. No disk touches it from there.
+  std::vector<std::int8_t> area;
 };
 
 // Sides that are equal in plan count once. An edge with projected area strictly on both sides lies inside the

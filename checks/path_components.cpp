@@ -74,7 +74,9 @@ class Ray {
   // Nothing of the outline is nearer to the disk's centre than `gap`.
   bool clear(Point2 centre, double gap) const {
     const auto far = [&](Point2 a, Point2 b) {
-      return std::max(a.x, b.x) < centre.x - gap || point_segment_distance(centre, a, b) >= gap;
+      return std::max(a.x, b.x) < centre.x - gap || std::min(a.x, b.x) > centre.x + gap ||
+             std::max(a.y, b.y) < centre.y - gap || std::min(a.y, b.y) > centre.y + gap ||
+             point_segment_distance(centre, a, b) >= gap;
     };
     for (const Point2 p : outline_.points) {
       if (!far(p, p)) return false;

@@ -2,20 +2,22 @@
 
 namespace gabarit {
 
-// A segment passes a square only if it comes within half a diagonal of its middle.
+// Column by column, in each the rows between the places where the segment enters and leaves it, and a little
+// more against rounding.
 template <class Use>
 void SegmentGrid::for_each_square(const Segment2& s, Use&& use) const {
-  const std::size_t left = column(std::min(s.from.x, s.to.x));
-  const std::size_t right = column(std::max(s.from.x, s.to.x));
-  const std::size_t bottom = row(std::min(s.from.y, s.to.y));
-  const std::size_t top = row(std::max(s.from.y, s.to.y));
-  for (std::size_t y = bottom; y <= top; ++y) {
-    for (std::size_t x = left; x <= right; ++x) {
-      const Point2 middle =
-          origin_ + Point2{(static_cast<double>(x) + 0.5) * size_, (static_cast<double>(y) + 0.5) * size_};
-      const bool narrow = left == right || bottom == top;
-      if (narrow || point_segment_distance(middle, s.from, s.to) <= 0.7072 * size_) use(y * columns_ + x);
-    }
+  const bool ahead = s.from.x <= s.to.x;
+  const Point2 a = ahead ? s.from : s.to;
+  const Point2 b = ahead ? s.to : s.from;
+  const double slope = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0;
+  const double slack = 1e-6 * size_;
+  const std::size_t last = column(b.x);
+  for (std::size_t x = column(a.x); x <= last; ++x) {
+    const double left = origin_.x + static_cast<double>(x) * size_;
+    const double enter = a.x >= left ? a.y : a.y + (left - a.x) * slope;
+    const double leave = b.x <= left + size_ ? b.y : a.y + (left + size_ - a.x) * slope;
+    const std::size_t top = row(std::max(enter, leave) + slack);
+    for (std::size_t y = row(std::min(enter, leave) - slack); y <= top; ++y) use(y * columns_ + x);
   }
 }
 

@@ -105,13 +105,14 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
   const ReachGrid reach(plan, column.radius - sag, column.radius + sag, column.tolerance);
   const std::vector<PlanSide> sides = reachable_sides(plan, reach);
   const OutlineFeatures outline = outline_features(sides);
+  const ContactDepth contact(sides, column.radius);
   std::array<DiskPath, 3> paths;
   std::array<std::vector<float>, 3> depths;
   for (std::size_t k = 0; k < 3; ++k) {
     const double radius = column.radius + (k == 0 ? 0 : k == 1 ? -sag : sag);
     paths[k] = disk_path(outline, radius, scene.device(), &reach);
     if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k]);
-    depths[k] = contact_depths(sides, paths[k], column.tolerance);
+    depths[k] = contact.along(paths[k], column.tolerance);
     if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
   }
   select(region, sides, depths);
