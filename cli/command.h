@@ -1,0 +1,23 @@
+// A subcommand: its options, and what it does when it is chosen.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace gabarit {
+
+struct Command {
+  CLI::App* app = nullptr;   // how it is written on the command line
+  std::function<int()> run;  // gives the exit code
+};
+
+// Each adds its subcommand to `app`; one file a subcommand.
+Command check_command(CLI::App& app);
+Command measure_command(CLI::App& app);
+Command explain_command(CLI::App& app);
+Command validate_command(CLI::App& app);
+Command info_command(CLI::App& app);
+Command devices_command(CLI::App& app);
+
+}  // namespace gabarit

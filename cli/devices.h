@@ -1,0 +1,13 @@
+// The one place that says which devices there are and which one a run uses.
+#pragma once
+
+#include <string>
+
+#include "gpu/device.h"
+
+namespace gabarit {
+
+// "auto", "cpu" or "cuda"; throws UsageError for one that can't compute here.
+Device choose_device(const std::string& name, int threads);
+
+}  // namespace gabarit

@@ -1,0 +1,45 @@
+#include "cli/model_options.h"
+
+#include <cmath>
+
+#include "cli/messages.h"
+#include "rules/quantity.h"
+
+namespace gabarit {
+
+void ModelOptions::add_file_to(CLI::App& command) {
+  command.add_option("MODEL", file, "STL, OBJ, PLY or OFF file")->required()->type_name("");
+}
+
+void ModelOptions::add_options_to(CLI::App& command) {
+  command.add_option("--units", units, "Of the file: mm, cm, m or in [mm]")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}).description(""))
+      ->type_name("UNIT");
+  command.add_option("--sag", sag, "Chord height of the facets, e.g. \"0.05 mm\"")->type_name("LENGTH");
+  command.add_option("--threads", threads, "CPU threads [all cores]")
+      ->check(CLI::Range(1, 4096).description(""))
+      ->type_name("N");
+}
+
+std::optional<double> ModelOptions::sag_length() const {
+  if (sag.empty()) return std::nullopt;
+  const Result<double, Complaint> length = read_quantity(sag, Dimension::length);
+  if (!length) throw UsageError{"--sag: " + length.error().message + ". " + length.error().hint};
+  if (!(*length > 0) || !std::isfinite(*length)) throw UsageError{"--sag must be more than 0, not " + sag};
+  return *length;
+}
+
+Result<Model> ModelOptions::load_model(Progress& progress) const {
+  LoadOptions options;
+  if (!units.empty()) options.unit = unit_named(units);
+  options.sag = sag_length();
+  options.threads = threads;
+  options.progress = [&](const char*, double fraction) { progress.update(fraction); };
+  progress.begin("load");
+  Result<Model> model = load(file, options);
+  progress.end();
+  print(model ? model->warnings : model.error());
+  return model;
+}
+
+}  // namespace gabarit

@@ -1,0 +1,33 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/exit_code.h"
+#include "cli/messages.h"
+#include "rules/read_rules.h"
+
+namespace gabarit {
+
+static int run_validate(const std::vector<std::string>& files) {
+  int code = exit_clean;
+  for (const std::string& file : files) {
+    const Result<RuleSet> rules = read_rules(file);
+    if (rules) {
+      print_result(fmt::format("{}: fine: {}, {} rules\n", file, rules->id, rules->rules.size()));
+    } else {
+      print(rules.error());
+      code = exit_bad_input;
+    }
+  }
+  return code;
+}
+
+Command validate_command(CLI::App& app) {
+  const auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* const command = app.add_subcommand("validate", "Report every error in rule files.");
+  command->add_option("RULES", *files, "Rule files")->required()->type_name("");
+  return {command, [files] { return run_validate(*files); }};
+}
+
+}  // namespace gabarit
