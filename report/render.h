@@ -1,5 +1,5 @@
-// Draws facets without a display or a GPU: depth-buffered, shaded, smooth-edged, the same bytes on any number of
-// threads.
+// Draws facets without a display or a GPU: depth-buffered, shaded, smooth-edged, the same bytes on any number
+// of threads.
 #pragma once
 
 #include <span>
@@ -26,7 +26,8 @@ struct Drawing {
   Rgb background{255, 255, 255};
   std::span<const SceneLine> lines;
   bool outlines = true;  // darken silhouettes and creases, so that a grey print stays readable
-  // When not empty (one a facet): facets with 0 are drawn faint and never hide the others' colours; close-ups use it.
+  // When not empty (one a facet): facets with 0 are drawn faint and never hide the others' colours; close-ups
+  // use it.
   std::span<const std::uint8_t> emphasis;
 };
 
