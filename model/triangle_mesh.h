@@ -12,6 +12,8 @@ namespace gabarit {
 
 using FacetId = std::uint32_t;
 using VertexId = std::uint32_t;
+// Half-edges, three a facet, are numbered by 32 bits; loaders refuse more.
+inline constexpr std::uint64_t most_facets = 0xFFFFFFFFU / 3;
 
 struct TriangleMesh {
   std::vector<Vec3d> vertices;                  // equal coordinates (bit for bit, -0 = 0) are one vertex
