@@ -23,8 +23,8 @@ struct View {
   Camera camera;
 };
 
-// The views of a report: front, rear, left, right, top, bottom, then front left and rear right from above; each
-// shows the whole box with a margin at the picture's aspect (width / height).
+// The views of a report: front, rear, left, right, top, bottom, then front left and rear right from above;
+// each shows the whole box with a margin at the picture's aspect (width / height).
 std::vector<View> fixed_views(const Box3d& box, const Frame& frame, double aspect);
 
 // A close-up: looks against `outward` (as far as that can be told from straight up), `extent` mm across.
