@@ -26,10 +26,12 @@ std::string value_text(double value, const Requirement& require) {
 }
 
 std::string worst_sentence(const Worst& w, const Requirement& require) {
-  return fmt::format("{} {} {} ({} to {}), required: {}, at ({:.1f}, {:.1f}, {:.1f})",
+  const std::string place =
+      is_finite(w.at) ? fmt::format("at ({:.1f}, {:.1f}, {:.1f})", w.at.x, w.at.y, w.at.z) : "place unknown";
+  return fmt::format("{} {} {} ({} to {}), required: {}, {}",
                      require.measure != nullptr ? require.measure->name : "value",
                      value_text(w.value, require), unit_of(require).name, value_text(w.lower, require),
-                     value_text(w.upper, require), require.limit_text, w.at.x, w.at.y, w.at.z);
+                     value_text(w.upper, require), require.limit_text, place);
 }
 
 std::string examined_text(const RuleResult& result) {

@@ -13,6 +13,8 @@ namespace gabarit::pdf {
 
 namespace {
 
+constexpr std::size_t most_sets = 12;  // whose files are printed
+
 void begin_annex(Book& book, const std::string& letter, const std::string& name) {
   const std::string title = fmt::format("Annex {}: {}", letter, name);
   book.flow.begin_page(title);
@@ -74,9 +76,9 @@ void add_rule_file(Book& book, const RuleSet& set) {
     book.flow.paragraph("The file goes on; its SHA-256 identifies the whole of it.", quiet_text);
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
 }
 
@@ -93,12 +95,21 @@ std::string missing_text(const std::set<char32_t>& missing) {
 void add_settings(Book& book) {
   begin_annex(book, "C", "settings, versions and fonts");
   Flow& flow = book.flow;
-  flow.entry("Command", joined(book.report->command_line), code_text, 12);
+  flow.entry("Command", joined(book.report->command_line, " "), code_text, 12);
   flow.entry("Program", "Gabarit " + book.report->version);
   flow.entry("Computed on", book.outcome().device);
-  for (const RuleSet& set : book.outcome().rulesets)
-    flow.entry("Rule set", fmt::format("{} {}", set.id, set.sha256), small_text, 2);
-  for (const std::string& font : flow.fonts().names()) flow.entry("Font", font, small_text, 1);
+  const std::vector<RuleSet>& sets = book.outcome().rulesets;
+  for (std::size_t i = 0; i < std::min(sets.size(), most_sets); ++i) {
+    flow.entry("Rule set", fmt::format("{} {}", sets[i].id, sets[i].sha256), small_text, 2);
+  }
+  if (sets.size() > most_sets) {
+    flow.entry(
+        "",
+        fmt::format("… {} in all, the files of the first {} in annex B; results.json identifies every one",
+                    counted(sets.size(), "rule set"), most_sets),
+        small_text);
+  }
+  flow.entry("Fonts", joined(flow.fonts().names(), ", "), small_text, 4);
   if (!flow.fonts().missing().empty()) {
     flow.entry("Not shown",
                missing_text(flow.fonts().missing()) +
@@ -114,7 +125,7 @@ void add_annex_pages(Book& book) {
   add_all_rules(book);
   add_all_findings(book);
   const std::vector<RuleSet>& sets = book.outcome().rulesets;
-  for (std::size_t i = 0; i < std::min<std::size_t>(sets.size(), 10); ++i) add_rule_file(book, sets[i]);
+  for (std::size_t i = 0; i < std::min(sets.size(), most_sets); ++i) add_rule_file(book, sets[i]);
   add_settings(book);
 }
 

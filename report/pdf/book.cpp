@@ -1,6 +1,7 @@
 #include "report/pdf/book.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gabarit::pdf {
 
@@ -19,7 +20,8 @@ Book::Book(const Report& r, const PdfOptions& o, Document& document, Fonts& font
     : report(&r), options(&o), flow(document, fonts) {
   for (const RuleResult& result : outcome().results) by_attention.push_back(&result);
   std::stable_sort(by_attention.begin(), by_attention.end(), [](const RuleResult* a, const RuleResult* b) {
-    return attention(a->verdict) < attention(b->verdict);
+    return std::pair(attention(a->verdict), a->rule.severity) <
+           std::pair(attention(b->verdict), b->rule.severity);
   });
   with_pages = by_attention;
   if (with_pages.size() > options->limits.rules) with_pages.resize(options->limits.rules);

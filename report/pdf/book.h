@@ -19,8 +19,9 @@ struct Book {
   const Report* report;
   const PdfOptions* options;
   Flow flow;
-  std::vector<const RuleResult*> by_attention;  // failed, not run, undecided, passed, not applicable
-  std::vector<const RuleResult*> with_pages;    // as planned; see PdfLimits::rules
+  // Failed, not run, undecided, passed, not applicable; errors before warnings before notes.
+  std::vector<const RuleResult*> by_attention;
+  std::vector<const RuleResult*> with_pages;  // as planned; see PdfLimits::rules
 };
 
 }  // namespace gabarit::pdf

@@ -4,13 +4,14 @@
 
 #include "report/finding_text.h"
 #include "report/pdf/badge.h"
+#include "report/pdf/colouring.h"
+#include "report/pdf/model_view.h"
 #include "report/pdf/words.h"
 
 namespace gabarit::pdf {
 
 namespace {
 
-constexpr double picture_bottom = 196;
 constexpr std::size_t most_sets = 3;  // listed on the cover
 
 std::string cover_title(const Book& book) {
@@ -38,10 +39,8 @@ void draw_head(Book& book) {
 void draw_deciding_number(Book& book) {
   for (const RuleResult* result : book.by_attention) {
     if (!result->has_worst) continue;
-    book.flow.paragraph(fitted(
-        book.flow.fonts(), result->rule.id + ": " + worst_sentence(result->worst, result->rule.require) + ".",
-        body_text, content_width));
-    return;
+    return book.flow.paragraph(
+        result->rule.id + ": " + worst_sentence(result->worst, result->rule.require) + ".", body_text, 2);
   }
 }
 
@@ -52,6 +51,22 @@ void draw_verdict(Book& book) {
   flow.paragraph(overall_sentence(book.outcome()), {Face::bold, 10.5});
   flow.paragraph(totals_sentence(book.outcome().totals) + ".");
   draw_deciding_number(book);
+}
+
+// The entries below the picture stand at the bottom of the page.
+double picture_bottom(const Book& book) {
+  const std::size_t sets = std::min(book.outcome().rulesets.size(), most_sets + 1);
+  return content_bottom - 32 - 18.5 * static_cast<double>(sets);
+}
+
+// The part from the front left above, coloured by the gravest verdict of all rules.
+void draw_picture(Book& book) {
+  const Area area{margin_left, book.flow.y() + 1, content_width, picture_bottom(book) - book.flow.y() - 1};
+  const Frame frame = book.outcome().setups.empty() ? Frame() : book.outcome().setups.front().frame;
+  const std::vector<Rgb> colours = verdict_colours(book.model().mesh, book.outcome());
+  const View view = views_for(area, book.model().box, frame).at(6);
+  draw_view(book, {area, view.camera, colours},
+            "Over all rules – red: fails; amber: undecided; green: passes; blue-grey: not examined");
 }
 
 std::string source_text(const RuleSet& set) {
@@ -84,7 +99,8 @@ void add_cover_page(Book& book) {
   flow.document().add_bookmark("Cover");
   draw_head(book);
   draw_verdict(book);
-  flow.move_to(picture_bottom + 4);
+  draw_picture(book);
+  flow.move_to(picture_bottom(book) + 8);
   flow.entry("Report", book.report->id, {Face::bold, 8, ink, 3.75}, 1);
   flow.entry("Part", book.model().file, small_text, 2);
   flow.entry("SHA-256 of the part", book.model().sha256, code_text, 1);

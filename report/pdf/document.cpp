@@ -1,9 +1,12 @@
 #include "report/pdf/document.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
 #include <fmt/format.h>
+
+#include "report/pdf/unicode.h"
 
 namespace gabarit::pdf {
 
@@ -46,7 +49,11 @@ HPDF_Page Document::add_page() {
 }
 
 void Document::add_bookmark(const std::string& title) {
-  const HPDF_Outline entry = HPDF_CreateOutline(document_, nullptr, title.c_str(), utf8_);
+  // Of the basic plane only, as libharu has it; and readers show no more than a line.
+  std::u32string codes = code_points(title.substr(0, 400)).substr(0, 80);
+  std::replace_if(
+      codes.begin(), codes.end(), [](char32_t c) { return c > 0xFFFF; }, U'\uFFFD');
+  const HPDF_Outline entry = HPDF_CreateOutline(document_, nullptr, utf8(codes).c_str(), utf8_);
   const HPDF_Destination destination = HPDF_Page_CreateDestination(pages_.back());
   HPDF_Destination_SetFit(destination);
   HPDF_Outline_SetDestination(entry, destination);

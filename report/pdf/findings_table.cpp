@@ -12,26 +12,24 @@
 namespace gabarit::pdf {
 
 static Row finding_row(const Finding& f, const Requirement& require) {
-  return {{f.id},
+  return {{f.body.empty() ? f.id : f.id + "\n" + f.body},
           {"", f.verdict},
           {value_text(f.worst.value, require)},
           {bounds_text(f.worst, require)},
           {place_text(f.worst.at)},
-          {number_text(f.area)},
-          {count_text(f.facets.size())},
-          {f.body}};
+          {area_number(f.area)},
+          {count_text(f.facets.size())}};
 }
 
 void add_findings_table(Book& book, const RuleResult& result, std::size_t most) {
   const std::string unit = unit_text(result.rule.require);
-  Table table{.columns = {{"Finding", 30, Column::Align::left, small_strong_text},
-                          {"Verdict", 23},
-                          {"Worst" + (unit.empty() ? "" : ", " + unit), 16, Column::Align::decimal},
-                          {"Bounds", 24},
-                          {"Place, mm", 33},
-                          {"Area, mm²", 16, Column::Align::decimal},
-                          {"Facets", 13, Column::Align::right},
-                          {"Body", 15}},
+  Table table{.columns = {{"Finding", 29},
+                          {"Verdict", 25},
+                          {"Worst" + (unit.empty() ? "" : ", " + unit), 19, Column::Align::decimal},
+                          {"Bounds", 27},
+                          {"Place, mm", 39},
+                          {"Area, mm²", 17, Column::Align::decimal},
+                          {"Facets", 14, Column::Align::right}},
               .rows = {},
               .most_lines = 2};
   const std::size_t shown = std::min(most, result.findings.size());

@@ -1,5 +1,7 @@
 #include "report/pdf/flow.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace gabarit::pdf {
@@ -11,6 +13,7 @@ static double ascent(const TextStyle& style) { return 0.75 * style.leading; }
 Canvas& Flow::begin_bare_page() {
   canvas_.emplace(*document_, *fonts_, document_->add_page());
   y_ = content_top;
+  reserved_ = {};
   return *canvas_;
 }
 
@@ -21,6 +24,21 @@ void Flow::begin_page(const std::string& section) {
   const double width = content_width - 30;
   canvas_->text_right({right_edge, 18}, fitted(*fonts_, section, label_text, width), label_text);
   canvas_->line({margin_left, 20.5}, {right_edge, 20.5}, hairline);
+}
+
+Area Flow::reserve_right(double width, double height) {
+  need(height);
+  return reserved_ = {right_edge - width, y_, width, height};
+}
+
+void Flow::pass_reserved() {
+  y_ = std::max(y_, reserved_.y + reserved_.height);
+  reserved_ = {};
+}
+
+double Flow::text_width() const {
+  constexpr double gap = 6;
+  return y_ < reserved_.y + reserved_.height ? content_width - reserved_.width - gap : content_width;
 }
 
 void Flow::need(double height) {
@@ -35,16 +53,16 @@ void Flow::heading(std::string_view text) {
   y_ += grid_step / 2;
 }
 
-void Flow::subheading(std::string_view text) {
-  need(6 * grid_step);
-  y_ += grid_step / 2;
+void Flow::subheading(std::string_view text, double kept) {
+  need(2 * grid_step + kept);
+  if (y_ > content_top) y_ += 0.8 * grid_step;
   canvas_->text({margin_left, y_ + ascent(subheading_text)},
                 fitted(*fonts_, text, subheading_text, content_width), subheading_text);
   y_ += 1.5 * grid_step;
 }
 
-void Flow::paragraph(std::string_view text, const TextStyle& style) {
-  for (const std::string& line : wrap(*fonts_, text, style, content_width)) {
+void Flow::paragraph(std::string_view text, const TextStyle& style, std::size_t most) {
+  for (const std::string& line : wrap(*fonts_, text, style, text_width(), most)) {
     need(style.leading);
     canvas_->text({margin_left, y_ + ascent(style)}, line, style);
     y_ += style.leading;
@@ -61,7 +79,7 @@ void Flow::paragraphs(std::string_view text, const TextStyle& style) {
 }
 
 void Flow::entry(std::string_view name, std::string_view value, const TextStyle& style, std::size_t most) {
-  const std::vector<std::string> lines = wrap(*fonts_, value, style, content_width - entry_indent, most);
+  const std::vector<std::string> lines = wrap(*fonts_, value, style, text_width() - entry_indent, most);
   need(static_cast<double>(lines.size()) * style.leading);
   canvas_->text({margin_left, y_ + ascent(style)}, fitted(*fonts_, name, label_text, entry_indent - 3),
                 label_text);

@@ -29,12 +29,16 @@ class Flow {
   Canvas& begin_bare_page();
   // Begins a page of the same section when less than `height` is left.
   void need(double height);
+  // Keeps the right of the page free for a figure; paragraphs and entries that begin beside it are narrower.
+  Area reserve_right(double width, double height);
+  void pass_reserved();  // goes on below it
   void skip(double height) { y_ += height; }
   void move_to(double y) { y_ = y; }
 
-  void heading(std::string_view text);     // up to two lines
-  void subheading(std::string_view text);  // one line, kept with what follows
-  void paragraph(std::string_view text, const TextStyle& style = body_text);
+  void heading(std::string_view text);  // up to two lines
+  // One line, on one page with the `kept` mm that follow.
+  void subheading(std::string_view text, double kept = 3 * grid_step);
+  void paragraph(std::string_view text, const TextStyle& style = body_text, std::size_t most = any_number);
   // Of several, separated by empty lines.
   void paragraphs(std::string_view text, const TextStyle& style = body_text);
   // A name on the left and its value beside it, up to `most` lines of it.
@@ -44,7 +48,10 @@ class Flow {
  private:
   Document* document_;
   Fonts* fonts_;
+  double text_width() const;
+
   std::optional<Canvas> canvas_;
+  Area reserved_;
   std::string section_;
   double y_ = content_top;
 };
@@ -52,7 +59,7 @@ class Flow {
 // Every page's foot: "report <id>" and "n of m".
 void number_pages(Document& document, Fonts& fonts, const std::string& text);
 
-// A sentence of `quiet` text at most.
+// Where the values of entries begin, from the left of the content.
 constexpr double entry_indent = 42;  // mm
 
 }  // namespace gabarit::pdf

@@ -5,7 +5,9 @@
 #include <hpdf_font.h>
 #include <hpdf_fontdef.h>
 
+#include "report/pdf/truetype.h"
 #include "report/pdf/unicode.h"
+#include "report/pdf/unicode_map.h"
 
 namespace gabarit::pdf {
 
@@ -22,13 +24,14 @@ static double glyph_width(HPDF_Font font, char32_t code) {
 
 // Null when the file is no font that libharu can embed.
 HPDF_Font Fonts::load(const std::filesystem::path& file) {
-  if (file.empty()) return nullptr;
+  if (file.empty() || !is_embeddable(file)) return nullptr;
   const bool collection = file.extension() == ".ttc";
   const char* const name = collection
                                ? HPDF_LoadTTFontFromFile2(document_->handle(), file.c_str(), 0, HPDF_TRUE)
                                : HPDF_LoadTTFontFromFile(document_->handle(), file.c_str(), HPDF_TRUE);
   const HPDF_Font font = name != nullptr ? HPDF_GetFont(document_->handle(), name, "UTF-8") : nullptr;
   if (document_->forgive() || font == nullptr) return nullptr;
+  repair_unicode_map(font);
   names_.push_back(file.filename().string());
   return font;
 }

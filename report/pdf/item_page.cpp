@@ -1,8 +1,11 @@
 #include "report/pdf/item_page.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "report/number_text.h"
+#include "report/pdf/model_view.h"
 #include "report/pdf/table.h"
 #include "report/pdf/words.h"
 
@@ -10,7 +13,7 @@ namespace gabarit::pdf {
 
 namespace {
 
-constexpr std::size_t most_bodies = 24, most_warnings = 8;
+constexpr std::size_t most_bodies = 24, most_warnings = 8, most_setups = 6;
 
 std::string size_text(const Box3d& box) {
   const Vec3d size = box.extent();
@@ -25,10 +28,18 @@ std::string sag_origin(const Book& book, const Setup& setup) {
   return "set for this run";
 }
 
+// The part without any verdict, and how the model's axes lie.
+void draw_picture(Book& book) {
+  const Area area = book.flow.reserve_right(58, 44);
+  const Frame frame = book.outcome().setups.empty() ? Frame() : book.outcome().setups.front().frame;
+  draw_view(book, {area, views_for(area, book.model().box, frame).at(6).camera, {}}, "The part as loaded");
+}
+
 void add_model(Book& book) {
   const Model& model = book.model();
   Flow& flow = book.flow;
   flow.subheading("Item");
+  draw_picture(book);
   flow.entry("File", model.file);
   flow.entry("SHA-256", model.sha256, code_text);
   if (!model.format.empty()) flow.entry("Format", model.format);
@@ -88,7 +99,8 @@ const char* axis_name(const Vec3d& d) {
 void add_setup(Book& book) {
   Flow& flow = book.flow;
   flow.subheading("Set-up");
-  for (std::size_t i = 0; i < std::min<std::size_t>(book.outcome().setups.size(), 6); ++i) {
+  for (std::size_t i = 0;
+       i < std::min({book.outcome().setups.size(), book.outcome().rulesets.size(), most_setups}); ++i) {
     const Setup& setup = book.outcome().setups[i];
     const RuleSet& set = book.outcome().rulesets[i];
     flow.entry("Rule set", set.id);
@@ -100,6 +112,8 @@ void add_setup(Book& book) {
     flow.entry("Sag", fmt::format("{}, {}: the true surface is taken to lie no further from the facets",
                                   length_text(setup.sag), sag_origin(book, setup)));
   }
+  if (book.outcome().setups.size() > most_setups)
+    flow.entry("", fmt::format("… {} in all", counted(book.outcome().setups.size(), "rule set")));
   flow.entry("Computed on", book.outcome().device == "cuda" ? "a CUDA device" : "the processor");
 }
 

@@ -1,8 +1,11 @@
 #include "report/pdf/method_page.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "report/pdf/badge.h"
+#include "report/pdf/sketch.h"
 #include "report/pdf/words.h"
 #include "rules/region.h"
 
@@ -40,9 +43,18 @@ std::string decision_text(const Requirement& require) {
 
 namespace {
 
-void collect(const Where& where, std::vector<const Selector*>& selectors) {
-  if (where.selector != nullptr) selectors.push_back(where.selector);
-  for (const Where& child : where.children) collect(child, selectors);
+constexpr std::size_t most_lines = 24;  // of what a rule file or a run may make as long as it likes
+
+// Every use of a selector, in the order of the rule file.
+void collect(const Where& where, std::vector<const Where*>& uses) {
+  if (where.selector != nullptr) uses.push_back(&where);
+  for (const Where& child : where.children) collect(child, uses);
+}
+
+bool uses(const Rule& rule, const Selector* selector) {
+  std::vector<const Where*> all;
+  collect(rule.where, all);
+  return std::any_of(all.begin(), all.end(), [&](const Where* w) { return w->selector == selector; });
 }
 
 std::string selector_name(const Selector& selector) {
@@ -50,10 +62,10 @@ std::string selector_name(const Selector& selector) {
 }
 
 // What an earlier chapter has explained is not repeated.
-bool explained_before(const Book& book, const RuleResult& result, const auto& uses) {
+bool explained_before(const Book& book, const RuleResult& result, const auto& explains) {
   for (const RuleResult* other : book.with_pages) {
     if (other == &result) return false;
-    if (uses(*other)) return true;
+    if (explains(other->rule)) return true;
   }
   return false;
 }
@@ -63,46 +75,57 @@ void add_explanation(Book& book, const std::string& name, const std::string& sum
   Flow& flow = book.flow;
   flow.need(4 * grid_step);
   flow.paragraph(name + (summary.empty() ? "" : " – " + summary), small_strong_text);
-  if (before) return flow.paragraph("Defined with an earlier rule of this report.", quiet_text);
+  if (before) return flow.paragraph("Explained with an earlier rule of this report.", quiet_text);
   flow.paragraphs(documentation, small_text);
+}
+
+void add_selector(Book& book, const RuleResult& result, const Where& use) {
+  Flow& flow = book.flow;
+  const Selector& selector = *use.selector;
+  const bool before = explained_before(book, result, [&](const Rule& rule) { return uses(rule, &selector); });
+  if (!before && has_sketch(selector)) {
+    flow.pass_reserved();
+    draw_sketch(flow.canvas(), flow.reserve_right(sketch_width, sketch_height), selector, use.arguments);
+  }
+  add_explanation(book, selector_name(selector), selector.summary, selector.documentation, before);
 }
 
 void add_where(Book& book, const RuleResult& result) {
   Flow& flow = book.flow;
   flow.subheading("Where the rule looks");
-  std::vector<const Selector*> selectors;
-  collect(result.rule.where, selectors);
-  flow.paragraph(selectors.empty() ? "At every facet of the model."
-                                   : fmt::format("At facets where {}.", describe(result.rule.where)));
+  std::vector<const Where*> all;
+  collect(result.rule.where, all);
+  flow.paragraph(all.empty() ? "At every facet of the model."
+                             : fmt::format("At facets where {}.", describe(result.rule.where)),
+                 body_text, most_lines);
   std::vector<const Selector*> done;
-  for (const Selector* selector : selectors) {
-    if (std::find(done.begin(), done.end(), selector) != done.end()) continue;
-    done.push_back(selector);
-    const bool before = explained_before(book, result, [&](const RuleResult& other) {
-      std::vector<const Selector*> others;
-      collect(other.rule.where, others);
-      return std::find(others.begin(), others.end(), selector) != others.end();
-    });
-    add_explanation(book, selector_name(*selector), selector->summary, selector->documentation, before);
+  for (const Where* use : all) {
+    if (std::find(done.begin(), done.end(), use->selector) != done.end()) continue;
+    done.push_back(use->selector);
+    add_selector(book, result, *use);
   }
+  flow.pass_reserved();
 }
 
 void add_measure(Book& book, const RuleResult& result) {
   const Measure* const measure = result.rule.require.measure;
   if (measure == nullptr) return;
   Flow& flow = book.flow;
-  flow.subheading("What it measures");
+  flow.subheading("What it measures", sketch_height + grid_step);
+  const bool before =
+      explained_before(book, result, [&](const Rule& rule) { return rule.require.measure == measure; });
+  if (!before && has_sketch(*measure))
+    draw_sketch(flow.canvas(), flow.reserve_right(sketch_width, sketch_height), *measure);
   if (measure->sentence != nullptr) flow.paragraph(measure->sentence(result.rule.require.arguments));
-  const bool before = explained_before(
-      book, result, [&](const RuleResult& other) { return other.rule.require.measure == measure; });
   add_explanation(book, measure_text(result.rule.require), measure->summary, measure->documentation, before);
+  flow.pass_reserved();
 }
 
 void add_notes(Book& book, const RuleResult& result) {
   if (result.region.notes.empty() && result.field.notes.empty()) return;
   book.flow.subheading("Notes of this run");
   for (const auto* notes : {&result.region.notes, &result.field.notes}) {
-    for (const std::string& note : *notes) book.flow.paragraph(note, small_text);
+    for (const std::string& note : *notes) book.flow.paragraph(note, small_text, most_lines);
   }
 }
 

@@ -23,7 +23,7 @@ constexpr TextStyle quiet_text{Face::regular, 8, soft, 4.5};
 constexpr TextStyle small_text{Face::regular, 7.5, ink, 3.75};
 constexpr TextStyle small_strong_text{Face::bold, 7.5, ink, 3.75};
 constexpr TextStyle label_text{Face::regular, 7.5, soft, 3.75};
-constexpr TextStyle code_text{Face::mono, 7.5, ink, 3.6};
+constexpr TextStyle code_text{Face::mono, 6.5, ink, 3.3};
 constexpr TextStyle title_text{Face::bold, 24, ink, 10.5};
 constexpr TextStyle heading_text{Face::bold, 16, ink, 9};
 constexpr TextStyle subheading_text{Face::bold, 10.5, accent, 4.5};

@@ -44,7 +44,7 @@ Row table_row(const RuleResult& result) {
       result.rule.title.empty() ? result.rule.id : result.rule.id + "\n" + result.rule.title;
   Row row{{"", result.verdict}, {name}};
   if (result.has_worst) {
-    row.insert(row.end(), {{value_text(result.worst.value, require)},
+    row.insert(row.end(), {{measured_text(result.worst.value, require)},
                            {bounds_text(result.worst, require)},
                            {require.limit_text},
                            {place_text(result.worst.at)}});
@@ -56,13 +56,13 @@ Row table_row(const RuleResult& result) {
 }
 
 Table rule_table() {
-  return {.columns = {{"Verdict", 27},
-                      {"Rule", 47},
-                      {"Worst", 17, Column::Align::decimal},
-                      {"Bounds", 21},
-                      {"Required", 22},
-                      {"Place, mm", 21},
-                      {"Facets failing", 15}},
+  return {.columns = {{"Verdict", 31},
+                      {"Rule", 42},
+                      {"Worst", 19, Column::Align::decimal},
+                      {"Bounds", 20},
+                      {"Required", 20},
+                      {"Place, mm", 22},
+                      {"Facets failing", 16}},
           .rows = {},
           .most_lines = 3};
 }
@@ -108,7 +108,7 @@ void add_summary_page(Book& book) {
                                      [](const RuleResult* r) { return r->has_worst; });
   if (deciding != book.by_attention.end()) draw_number(book, **deciding);
   const std::size_t total = book.by_attention.size();
-  const std::size_t shown = draw_table(book, 38);
+  const std::size_t shown = draw_table(book, 44);
   if (shown < total) {
     flow.paragraph(fmt::format("{} of {} shown, those that need attention first; all are in the annex.",
                                count_text(shown), counted(total, "rule")),

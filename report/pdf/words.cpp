@@ -1,5 +1,7 @@
 #include "report/pdf/words.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "report/display_unit.h"
@@ -8,14 +10,15 @@
 
 namespace gabarit::pdf {
 
-std::string count_text(std::size_t count) {
-  std::string digits = std::to_string(count);
+std::string grouped(std::string digits) {
   if (digits.size() <= 4) return digits;
   for (std::size_t from_right = 3; from_right < digits.size(); from_right += 3 + 3) {
     digits.insert(digits.size() - from_right, "\u202F");  // three bytes
   }
   return digits;
 }
+
+std::string count_text(std::size_t count) { return grouped(std::to_string(count)); }
 
 std::string counted(std::size_t count, const std::string& noun) {
   return count_text(count) + " " + noun + (count == 1 ? "" : "s");
@@ -40,7 +43,12 @@ std::string bounds_text(const Worst& worst, const Requirement& require) {
   return value_text(worst.lower, require) + " to " + value_text(worst.upper, require);
 }
 
-std::string area_text(double area) { return number_text(area) + " mm²"; }
+std::string area_number(double area) {
+  const bool large = area >= 1000 && area < 1e15;
+  return large ? count_text(static_cast<std::size_t>(std::llround(area))) : number_text(area);
+}
+
+std::string area_text(double area) { return area_number(area) + " mm²"; }
 
 std::string length_text(double length) { return fmt::format("{:g} mm", length); }
 

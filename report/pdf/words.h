@@ -7,7 +7,8 @@
 
 namespace gabarit::pdf {
 
-// "440 312", grouped by narrow spaces.
+// "440 312", grouped by narrow spaces from five digits on.
+std::string grouped(std::string digits);
 std::string count_text(std::size_t count);
 // "1 facet", "12 facets".
 std::string counted(std::size_t count, const std::string& noun);
@@ -19,7 +20,8 @@ std::string unit_text(const Requirement& require);
 std::string measured_text(double value, const Requirement& require);
 // "2.001 to 2.024".
 std::string bounds_text(const Worst& worst, const Requirement& require);
-// "12.5 mm²".
+// "12.5", whole numbers from 1000 on; with its unit: "12.5 mm²".
+std::string area_number(double area);
 std::string area_text(double area);
 std::string length_text(double length);  // "0.1 mm"
 // What a verdict says about the whole, in a sentence.
