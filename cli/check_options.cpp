@@ -22,7 +22,7 @@ void CheckOptions::add_to(CLI::App& command) {
       ->required()
       ->type_name("DIR");
   model.add_options_to(command);
-  command.add_option("--formats", formats, "Of stl,json,junit,sarif [stl,json]")->type_name("LIST");
+  command.add_option("--formats", formats, "Of pdf,stl,json,junit,sarif [pdf,stl,json]")->type_name("LIST");
   command.add_flag("--fields", fields, "Also write fields/RULE.ply");
   command.add_option("--only", only, "Run these rules and no others")
       ->delimiter(',')
@@ -37,8 +37,8 @@ void CheckOptions::add_to(CLI::App& command) {
   command.add_flag("--quiet", quiet, "Print nothing but warnings and errors");
 }
 
-static constexpr std::array<std::pair<const char*, Format>, 4> format_names{
-    {{"stl", Format::stl}, {"json", Format::json}, {"junit", Format::junit}, {"sarif", Format::sarif}}};
+static constexpr std::array<std::pair<const char*, Format>, 5> format_names{
+    {{"pdf", Format::pdf}, {"stl", Format::stl}, {"json", Format::json}, {"junit", Format::junit}, {"sarif", Format::sarif}}};
 
 static Format format_named(const std::string& name) {
   std::vector<std::string> known;
@@ -46,7 +46,7 @@ static Format format_named(const std::string& name) {
     if (name == known_name) return format;
     known.emplace_back(known_name);
   }
-  if (name == "html" || name == "pdf") throw UsageError{"--formats: this version does not write " + name};
+  if (name == "html") throw UsageError{"--formats: this version does not write " + name};
   throw UsageError{fmt::format("--formats: no format is called `{}`: {}", name, name_hint(name, known))};
 }
 

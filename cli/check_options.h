@@ -13,7 +13,7 @@ namespace gabarit {
 struct CheckOptions {
   ModelOptions model;
   std::vector<std::string> rules, only;
-  std::string out, device = "auto", formats = "stl,json", fail_on = "fail";
+  std::string out, device = "auto", formats = "pdf,stl,json", fail_on = "fail";
   bool fields = false, quiet = false;
 
   void add_to(CLI::App& command);

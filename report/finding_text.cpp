@@ -16,15 +16,22 @@ static double nearest_bound(double value, const Limit& limit) {
   return std::abs(value - limit.low) < std::abs(value - limit.high) ? limit.low : limit.high;
 }
 
+static DisplayUnit unit_of(const Requirement& require) {
+  return display_unit(require.measure != nullptr ? require.measure->dimension : Dimension::length);
+}
+
+std::string value_text(double value, const Requirement& require) {
+  const double factor = unit_of(require).factor;
+  return number_text(value * factor, nearest_bound(value, require.limit) * factor);
+}
+
 std::string worst_sentence(const Worst& w, const Requirement& require) {
-  const DisplayUnit unit =
-      display_unit(require.measure != nullptr ? require.measure->dimension : Dimension::length);
-  const auto shown = [&](double value) {
-    return number_text(value * unit.factor, nearest_bound(value, require.limit) * unit.factor);
-  };
-  return fmt::format("{} {} {} ({} to {}), required: {}, at ({:.1f}, {:.1f}, {:.1f})",
-                     require.measure != nullptr ? require.measure->name : "value", shown(w.value), unit.name,
-                     shown(w.lower), shown(w.upper), require.limit_text, w.at.x, w.at.y, w.at.z);
+  const std::string place =
+      is_finite(w.at) ? fmt::format("at ({:.1f}, {:.1f}, {:.1f})", w.at.x, w.at.y, w.at.z) : "place unknown";
+  return fmt::format("{} {} {} ({} to {}), required: {}, {}",
+                     require.measure != nullptr ? require.measure->name : "value",
+                     value_text(w.value, require), unit_of(require).name, value_text(w.lower, require),
+                     value_text(w.upper, require), require.limit_text, place);
 }
 
 std::string examined_text(const RuleResult& result) {

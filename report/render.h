@@ -29,9 +29,16 @@ struct Drawing {
   // When not empty (one a facet): facets with 0 are drawn faint and never hide the others' colours; close-ups
   // use it.
   std::span<const std::uint8_t> emphasis;
+  // When not empty (one a facet): facets above 0 stay visible however small they are on the page, unless they
+  // are hidden: a dot stands for what covers too little. Of equal surfaces the higher number shows. Failing
+  // facets: 2, undecided ones: 1.
+  std::span<const std::uint8_t> marked;
+  bool occlusion = true;  // darken corners, which tells near from far
 };
 
-// Facets with a NaN are left out. Shading follows the facet's normal, seen from either side.
+// Shading follows the facet's normal, seen from either side. Facets with a NaN are left out. The scale is
+// that of the camera's width. Throws std::length_error for pictures that are not 1 to 8192 pixels wide and
+// high. Memory: 12 bytes a vertex, 4 to 64 a facet, 12 a pixel.
 Picture render(const Drawing& drawing, const Camera& camera, int width, int height, const Device& device);
 
 }  // namespace gabarit

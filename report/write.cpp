@@ -9,6 +9,7 @@
 #include "report/output_set.h"
 #include "report/write_json.h"
 #include "report/write_junit.h"
+#include "report/write_pdf.h"
 #include "report/write_ply.h"
 #include "report/write_sarif.h"
 #include "report/write_stl.h"
@@ -57,13 +58,22 @@ static void add_stl(const Report& report, std::vector<Output>& outputs) {
   }
 }
 
-static void add(Format format, const Report& report, std::vector<Output>& outputs) {
+static Output pdf_output(const Report& report, const WriteOptions& options) {
+  return {"report.pdf", [&](OutputFile& file) {
+            PdfOptions pdf;
+            pdf.device = Device::cpu(options.threads);
+            write_pdf(report, pdf, file);
+          }};
+}
+
+static void add(Format format, const Report& report, const WriteOptions& options,
+                std::vector<Output>& outputs) {
   switch (format) {
     case Format::json: return outputs.push_back(text_output("results.json", results_json, report));
     case Format::junit: return outputs.push_back(text_output("junit.xml", junit_xml, report));
     case Format::sarif: return outputs.push_back(text_output("results.sarif", sarif_json, report));
     case Format::stl: return add_stl(report, outputs);
-    case Format::pdf:
+    case Format::pdf: return outputs.push_back(pdf_output(report, options));
     case Format::html: break;
   }
   throw std::invalid_argument("this version does not write this format");
@@ -74,7 +84,7 @@ static std::vector<Output> outputs_of(const Report& report, const WriteOptions& 
   std::sort(formats.begin(), formats.end());
   formats.erase(std::unique(formats.begin(), formats.end()), formats.end());
   std::vector<Output> outputs;
-  for (const Format format : formats) add(format, report, outputs);
+  for (const Format format : formats) add(format, report, options, outputs);
   if (options.fields) {
     // A rule that was not run has no field; an empty file would read as one that found nothing.
     for (const RuleResult& result : report.outcome->results) {

@@ -1,0 +1,29 @@
+// The colour of every facet in the pictures of a rule.
+#pragma once
+
+#include <vector>
+
+#include "model/triangle_mesh.h"
+#include "report/palette.h"
+#include "rules/outcome.h"
+
+namespace gabarit::pdf {
+
+struct Colouring {
+  // By value on a scale that marks the limit, or by verdict. Values are shown when no probe chose the facets
+  // and more than half of the model's area has a finite value: on flat parts a radius has none.
+  bool by_value = false;
+  ColourScale scale;        // of values, in display units
+  std::vector<Rgb> facets;  // one a facet of the model
+};
+
+Colouring colouring(const TriangleMesh& mesh, const RuleResult& result);
+// By the gravest verdict of all rules.
+std::vector<Rgb> verdict_colours(const TriangleMesh& mesh, const Outcome& outcome);
+Rgb facet_colour(FacetVerdict verdict);
+
+// A limit in display units.
+Limit displayed(const Limit& limit, double factor);
+double display_factor(const Requirement& require);
+
+}  // namespace gabarit::pdf

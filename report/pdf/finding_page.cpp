@@ -1,0 +1,146 @@
+#include "report/pdf/finding_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/finding_text.h"
+#include "report/pdf/badge.h"
+#include "report/pdf/model_view.h"
+#include "report/pdf/words.h"
+
+namespace gabarit::pdf {
+
+namespace {
+
+constexpr double close_up_height = 106, place_width = 98, place_height = 78;  // mm
+
+// Wide enough to hold the finding when that still shows it, never so near that nobody knows the place.
+double close_up_extent(const Box3d& model, const Box3d& finding) {
+  const double whole = length(model.extent());
+  return std::clamp(1.6 * length(finding.extent()), whole / 12, whole / 3);
+}
+
+void draw_number(Book& book, const RuleResult& result, const Finding& finding) {
+  Flow& flow = book.flow;
+  const Requirement& require = result.rule.require;
+  const TextStyle large{Face::bold, 22, verdict_colour(finding.verdict)};
+  const std::string value = fitted(flow.fonts(), measured_text(finding.worst.value, require), large, 80);
+  flow.canvas().text({margin_left, flow.y() + 8}, value, large);
+  const double x = margin_left + flow.canvas().width(value, large) + 5, width = page_width - margin_right - x;
+  flow.canvas().text({x, flow.y() + 3.8},
+                     fitted(flow.fonts(), "required: " + require.limit_text, strong_text, width),
+                     strong_text);
+  flow.canvas().text(
+      {x, flow.y() + 8},
+      fitted(flow.fonts(),
+             fmt::format("bounds {} {}", bounds_text(finding.worst, require), unit_text(require)), quiet_text,
+             width),
+      quiet_text);
+  flow.skip(12.5);
+}
+
+// Where the pictures look: the worst place, or the middle of what is known when that is not finite.
+Vec3d focus(const Book& book, const Finding& finding) {
+  if (is_finite(finding.worst.at)) return finding.worst.at;
+  if (is_finite(finding.centroid)) return finding.centroid;
+  return book.model().box.empty() ? Vec3d{} : book.model().box.centre();
+}
+
+void draw_close_up(Book& book, const RuleResult& result, const Finding& finding, const Colouring& colouring) {
+  Flow& flow = book.flow;
+  const TriangleMesh& mesh = book.model().mesh;
+  std::vector<std::uint8_t> emphasis(mesh.facet_count(), 0);
+  for (const FacetId f : finding.facets) emphasis[f] = 1;
+  const Vec3d outward = facet_normal(mesh, finding.worst.facet);
+  ModelView view{{margin_left, flow.y(), content_width, close_up_height}, {}, colouring.facets};
+  view.camera = close_up(focus(book, finding), outward, book.setup_of(result).frame,
+                         close_up_extent(book.model().box, finding.box), content_width / close_up_height);
+  view.emphasis = emphasis;
+  draw_view(book, view, "Close-up: in full colour the facets of this finding, ringed the worst place");
+  mark_place(book, view, finding.worst.at, 4);
+  flow.skip(close_up_height + caption_height + 2.5);
+}
+
+// The fixed view that looks at the place most squarely.
+View facing_view(const Book& book, const RuleResult& result, const Finding& finding, const Area& area) {
+  const std::vector<View> views = views_for(area, book.model().box, book.setup_of(result).frame);
+  const Vec3d outward = facet_normal(book.model().mesh, finding.worst.facet);
+  const auto squarely = [&](const View& view) { return dot(view.camera.toward(), outward); };
+  return *std::max_element(views.begin(), views.end(),
+                           [&](const View& a, const View& b) { return squarely(a) < squarely(b); });
+}
+
+void draw_place(Book& book, const RuleResult& result, const Finding& finding, const Colouring& colouring) {
+  Flow& flow = book.flow;
+  ModelView view{{margin_left, flow.y(), place_width, place_height}, {}, colouring.facets};
+  const View facing = facing_view(book, result, finding, view.area);
+  view.camera = facing.camera;
+  draw_view(book, view, "Place on the part, " + facing.name);
+  mark_place(book, view, finding.worst.at, 3);
+}
+
+struct Fact {
+  const char* name;
+  std::string value;
+};
+
+std::vector<Fact> facts(const Book& book, const RuleResult& result, const Finding& f) {
+  const Frame& frame = book.setup_of(result).frame;
+  std::vector<Fact> list{
+      {"Place, model", place_text(f.worst.at) + " mm"},
+      {"Place, vehicle", place_text(frame.to_vehicle(f.worst.at)) + " mm"},
+      {"Facet", fmt::format("{}, counted from 0", f.worst.facet)},
+      {"Area", fmt::format("{} in {}", area_text(f.area), counted(f.facets.size(), "facet"))},
+      {"Box, from", place_text(f.box.min) + " mm"},
+      {"Box, to", place_text(f.box.max) + " mm"}};
+  if (!(f.worst.contact == f.worst.at) && is_finite(f.worst.contact))
+    list.push_back({"Other end", place_text(f.worst.contact) + " mm"});
+  if (!f.body.empty()) list.push_back({"Body", f.body});
+  list.push_back({"Rule", result.rule.id});
+  if (!result.rule.clause.empty()) list.push_back({"Clause", result.rule.clause});
+  list.push_back({"Facets in", f.verdict == Verdict::fail ? "violations/" + result.rule.id + ".stl"
+                                                          : "results.json: undecided facets are in no STL"});
+  return list;
+}
+
+void draw_facts(Book& book, const std::vector<Fact>& list) {
+  Flow& flow = book.flow;
+  const double x = margin_left + place_width + 6, value_x = x + 22,
+               width = page_width - margin_right - value_x;
+  double y = flow.y() + 2.8;
+  for (const Fact& fact : list) {
+    flow.canvas().text({x, y}, fact.name, label_text);
+    for (const std::string& line : wrap(flow.fonts(), fact.value, small_text, width, 2)) {
+      flow.canvas().text({value_x, y}, line, small_text);
+      y += small_text.leading;
+    }
+    y += 1.2;
+  }
+  flow.canvas().text({x, y + 1},
+                     fitted(flow.fonts(), "Vehicle: x rearward, y right, z up from the ground.", label_text,
+                            page_width - margin_right - x),
+                     label_text);
+}
+
+}  // namespace
+
+void add_finding_page(Book& book, const RuleResult& result, const Finding& finding,
+                      const Colouring& colouring) {
+  Flow& flow = book.flow;
+  flow.begin_page("Finding " + finding.id);
+  flow.heading("Finding " + finding.id);
+  flow.skip(1.5);
+  draw_small_badge(flow.canvas(), {margin_left, flow.y()}, finding.verdict);
+  const TextStyle rule_title = quiet_text;
+  flow.canvas().text({margin_left + 30, flow.y() - 1},
+                     fitted(flow.fonts(), result.rule.title, rule_title, content_width - 30), rule_title);
+  flow.skip(3.5);
+  draw_number(book, result, finding);
+  draw_close_up(book, result, finding, colouring);
+  draw_place(book, result, finding, colouring);
+  draw_facts(book, facts(book, result, finding));
+}
+
+}  // namespace gabarit::pdf

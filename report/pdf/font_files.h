@@ -1,0 +1,22 @@
+// Where the fonts of a report come from: the machine's usual folders.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace gabarit::pdf {
+
+struct FontFiles {
+  // DejaVu Sans; empty when it is not at hand.
+  std::filesystem::path regular, bold, mono;
+  // Faces for what DejaVu lacks, Japanese first. Outlines must be TrueType: libharu cannot embed others.
+  std::vector<std::filesystem::path> fallbacks;
+};
+
+// Looks in the folders named by the environment's GABARIT_FONTS (separated by `:`) first; when that is set,
+// nowhere else.
+FontFiles find_fonts();
+// Below the given folders, in their order.
+FontFiles find_fonts(const std::vector<std::filesystem::path>& folders);
+
+}  // namespace gabarit::pdf

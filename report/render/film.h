@@ -1,0 +1,40 @@
+// The picture while it is made: the light of each pixel, averaged from its samples, and how far away it is.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "report/render/tile.h"
+
+namespace gabarit {
+
+struct FilmPixel {
+  Light light;
+  std::uint8_t share = 0;                                 // samples out of 16 that show a shaded facet
+  float depth = -std::numeric_limits<float>::infinity();  // pixels toward the eye, in the middle of the pixel
+};
+
+struct Film {
+  int width = 0, height = 0;
+  std::vector<FilmPixel> pixels;
+
+  Film(int w, int h)
+      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  FilmPixel& at(int x, int y) {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
+  const FilmPixel& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
+};
+
+// Averages a tile's samples into its pixels. The filter reaches one sample past the pixel and falls off
+// there: 36 samples, 16 of them in the pixel itself, in whole numbers.
+void resolve(const Tile& tile, Film& film);
+
+// The square root undoes the square of light_of.
+std::uint8_t channel_of(double light);
+
+}  // namespace gabarit

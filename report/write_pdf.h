@@ -1,0 +1,37 @@
+// report.pdf: the evidence that a reviewer reads, page by page, and signs.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "gpu/device.h"
+#include "report/output_file.h"
+#include "report/report.h"
+
+namespace gabarit {
+
+// How much is written out; what is left out is said on the page, with how much there is in all.
+struct PdfLimits {
+  std::size_t rules = 40;              // with pages of their own: those that need attention come first
+  std::size_t findings_a_rule = 12;    // with a page of their own
+  std::size_t findings = 120;          // with a page of their own, over all rules
+  std::size_t table_rows = 1000;       // of the annex's table of findings
+  std::size_t rule_file_lines = 1200;  // of each rule file in the annex
+};
+
+struct PdfOptions {
+  Device device = {};       // draws the pictures
+  double resolution = 220;  // of the pictures, dots an inch
+  PdfLimits limits = {};
+  // Where fonts are looked for; not given: see pdf::find_fonts.
+  std::optional<std::vector<std::filesystem::path>> font_folders = {};
+  std::function<void(double fraction)> progress = {};  // may be empty
+};
+
+// A4. The same report gives the same bytes on any number of threads, given the same fonts. Throws
+// pdf::PdfError when libharu refuses, filesystem_error when the file can't be written.
+void write_pdf(const Report& report, const PdfOptions& options, OutputFile& file);
+
+}  // namespace gabarit
