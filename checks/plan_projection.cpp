@@ -15,9 +15,10 @@ struct ToVehicle {
   void operator()(std::int64_t i) const { out[i] = frame.to_vehicle(in[i]); }
 };
 
+constexpr double beyond = std::numeric_limits<double>::infinity();
+
 // Of some facets.
 struct Extent {
-  static constexpr double beyond = std::numeric_limits<double>::infinity();
   Point2 low{beyond, beyond}, high{-beyond, -beyond};
   std::size_t left_out = 0;
 
