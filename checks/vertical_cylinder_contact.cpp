@@ -6,40 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "checks/certified.h"
 #include "checks/contact_depth.h"
 #include "checks/contact_notes.h"
 #include "checks/reach_grid.h"
+#include "checks/reachable_sides.h"
 #include "checks/sweep.h"
 
 namespace gabarit {
 namespace {
-
-// 1 or -1 when the polygon lies strictly to one side of its side i.
-int turn_of(const PlanPolygon& polygon, int i) {
-  const Point2 a = polygon.corner[static_cast<std::size_t>(i)];
-  const Point2 b = polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)];
-  for (int k = 2; k < polygon.size; ++k) {
-    const int side = side_of_line(a, b, polygon.corner[static_cast<std::size_t>((i + k) % polygon.size)]);
-    if (side != 0) return side;
-  }
-  return 0;
-}
-
-std::vector<PlanSide> reachable_sides(const PlanProjection& plan, const ReachGrid& grid) {
-  std::vector<PlanSide> sides;
-  for (FacetId f = 0; f < plan.facet_count(); ++f) {
-    const PlanPolygon polygon = plan.polygon(f);
-    if (polygon.size == 0 || !grid.reached(polygon)) continue;
-    for (int i = 0; i < polygon.size; ++i) {
-      const auto corner = static_cast<std::size_t>(i);
-      sides.push_back({polygon.corner[corner],
-                       polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)], f,
-                       polygon.edge[corner], turn_of(polygon, i)});
-    }
-  }
-  return sides;
-}
 
 // Rear-facing by more than float noise on a side wall.
 constexpr double rear_facing = 1e-3;
@@ -102,7 +76,7 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
     return region;
   }
 
-  const ReachGrid reach(plan, column.radius - sag, column.radius + sag, column.tolerance);
+  const ReachGrid reach(plan, column.radius - sag, column.radius + sag, column.tolerance, scene.device());
   const std::vector<PlanSide> sides = reachable_sides(plan, reach);
   const OutlineFeatures outline = outline_features(sides);
   const ContactDepth contact(sides, column.radius);
@@ -112,7 +86,7 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
     const double radius = column.radius + (k == 0 ? 0 : k == 1 ? -sag : sag);
     paths[k] = disk_path(outline, radius, scene.device(), &reach);
     if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k]);
-    depths[k] = contact.along(paths[k], column.tolerance);
+    depths[k] = contact.along(paths[k], column.tolerance, scene.device());
     if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
   }
   select(region, sides, depths);
