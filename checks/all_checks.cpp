@@ -5,6 +5,7 @@
 #include "checks/check.h"
 #include "checks/facing.h"
 #include "checks/height.h"
+#include "checks/radius.h"
 #include "checks/vertical_cylinder_contact.h"
 
 namespace gabarit {
@@ -15,7 +16,10 @@ std::span<const Selector* const> all_selectors() {
   return all;
 }
 
-std::span<const Measure* const> all_measures() { return {}; }
+std::span<const Measure* const> all_measures() {
+  static constexpr std::array all{&radius_measure};
+  return all;
+}
 
 Region whole_model(const TriangleMesh& mesh) {
   Region region;

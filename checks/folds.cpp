@@ -1,0 +1,189 @@
+#include "checks/folds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "gpu/parallel_for.h"
+
+namespace gabarit {
+
+namespace {
+
+constexpr std::int64_t grain = 2048;
+
+// The whole mesh's adjacency is worth building when a good part of the mesh is asked about.
+bool is_large(std::size_t asked, const TriangleMesh& mesh) { return asked > mesh.facet_count() / 8; }
+
+std::vector<FacetId> flagged(const std::vector<bool>& flags) {
+  std::vector<FacetId> facets;
+  for (FacetId f = 0; f < flags.size(); ++f) {
+    if (flags[f]) facets.push_back(f);
+  }
+  return facets;
+}
+
+// Adds the facets that share a vertex with those flagged.
+void add_ring(const TriangleMesh& mesh, std::vector<bool>& facets) {
+  std::vector<bool> vertices(mesh.vertices.size());
+  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    if (!facets[f]) continue;
+    for (const VertexId v : mesh.facets[f]) vertices[v] = true;
+  }
+  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    const auto& [a, b, c] = mesh.facets[f];
+    if (vertices[a] || vertices[b] || vertices[c]) facets[f] = true;
+  }
+}
+
+double coordinate_rounding(const FacetEdge& e) {
+  const auto largest = [](const Vec3d& p) {
+    return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  };
+  return std::ldexp(std::max({largest(e.from), largest(e.to), largest(e.apex)}), -24);
+}
+
+Fold fold(const TriangleMesh& mesh, FacetId f, const EdgeNeighbour& n) {
+  const FacetEdge here = facet_edge(mesh, f, n.edge);
+  const FacetEdge there = facet_edge(mesh, n.facet, n.other);
+  const Vec3d along = (here.to - here.from) / here.length;
+  const Vec3d normal = facet_normal(mesh, f);
+  const Vec3d other = n.reversed ? facet_normal(mesh, n.facet) : -facet_normal(mesh, n.facet);
+  const double turn = std::atan2(dot(cross(normal, other), along), dot(normal, other));
+  // A corner of either facet can be off by the rounding, in any direction.
+  const double noise = 2 * coordinate_rounding(here) * (1 / here.height + 1 / there.height);
+  return {.facet = n.facet,
+          .edge = n.edge,
+          .other = n.other,
+          .oriented = n.reversed,
+          .convex = turn > noise + smallest_turn,
+          .turn = static_cast<float>(turn),
+          .noise = static_cast<float>(std::min(noise, 4.0))};
+}
+
+double distance_to_line(const Vec3d& p, const FacetEdge& e) {
+  return length(cross(p - e.from, e.to - e.from)) / e.length;
+}
+
+// Whether the surface over the facet can have a good part in the turn at its edge: over a width w it leans
+// from the facet by 4 sag / w at most.
+bool can_curve(const TriangleMesh& mesh, FacetId f, int edge, double turn, double sag) {
+  constexpr double good_part = 0.25;
+  return 4 * sag > good_part * turn * facet_edge(mesh, f, edge).height;
+}
+
+}  // namespace
+
+FacetEdge facet_edge(const TriangleMesh& mesh, FacetId f, int edge) {
+  FacetEdge e{.from = mesh.corner(f, edge),
+              .to = mesh.corner(f, (edge + 1) % 3),
+              .apex = mesh.corner(f, (edge + 2) % 3)};
+  const Vec3d d = e.to - e.from;
+  e.length = length(d);
+  e.foot = dot(e.apex - e.from, d) / e.length;
+  e.height = length(cross(e.apex - e.from, d)) / e.length;
+  return e;
+}
+
+Folds::Folds(const Scene& scene, std::span<const FacetId> facets, int rings, double sag) {
+  const TriangleMesh& mesh = scene.mesh();
+  row_.assign(mesh.facet_count(), 0);
+  std::vector<bool> near(mesh.facet_count());
+  for (const FacetId f : facets) near[f] = true;
+  if (is_large(facets.size(), mesh)) {
+    near.assign(mesh.facet_count(), true);
+    facets_ = flagged(near);
+    fill(scene, scene.adjacency());
+  } else {
+    for (int i = 0; i < rings; ++i) add_ring(mesh, near);
+    // Beyond a T-junction lie neighbours that have no vertex in common: until nothing is missing.
+    for (std::size_t missing = 1; missing > 0;) {
+      facets_ = flagged(near);
+      const Adjacency adjacency(mesh, facets_);
+      std::vector<FacetId> reached(facets.begin(), facets.end());
+      std::vector<bool> seen(mesh.facet_count());
+      for (const FacetId f : reached) seen[f] = true;
+      missing = 0;
+      for (int ring = 0; ring < rings; ++ring) {
+        std::vector<FacetId> next;
+        for (const FacetId f : reached) {
+          for (const EdgeNeighbour& n : adjacency.of(f)) {
+            if (!near[n.facet]) near[n.facet] = true, ++missing;
+            if (!seen[n.facet]) seen[n.facet] = true, next.push_back(n.facet);
+          }
+        }
+        reached = std::move(next);
+      }
+      if (missing == 0) fill(scene, adjacency);
+    }
+  }
+  find_rims(scene, sag);
+}
+
+void Folds::fill(const Scene& scene, const Adjacency& adjacency) {
+  first_.assign(facets_.size() + 1, 0);
+  for (std::size_t i = 0; i < facets_.size(); ++i) {
+    row_[facets_[i]] = static_cast<std::uint32_t>(i + 1);
+    first_[i + 1] = first_[i] + adjacency.of(facets_[i]).size();
+  }
+  folds_.resize(first_.back());
+  const auto kernel = [&](std::int64_t i) {
+    const FacetId f = facets_[static_cast<std::size_t>(i)];
+    std::uint64_t at = first_[static_cast<std::size_t>(i)];
+    for (const EdgeNeighbour& n : adjacency.of(f)) folds_[at++] = fold(scene.mesh(), f, n);
+  };
+  parallel_for_cpu(scene.device(), static_cast<std::int64_t>(facets_.size()), kernel, grain);
+}
+
+// Whether there is convex turning on the far side of facet f as seen from one of its edges, no further away
+// than a few times the facet's height: at its other edges, or, since most strips are quadrilaterals cut in
+// two, at the far edges of what lies behind those.
+bool Folds::turns_beyond(const TriangleMesh& mesh, FacetId f, int edge) const {
+  const FacetEdge e = facet_edge(mesh, f, edge);
+  for (const Fold& next : of(f)) {
+    if (next.edge == edge) continue;
+    if (next.convex) return true;
+    for (const Fold& far : of(next.facet)) {
+      if (!far.convex || far.edge == next.other) continue;
+      const Vec3d middle =
+          0.5 * (mesh.corner(next.facet, far.edge) + mesh.corner(next.facet, (far.edge + 1) % 3));
+      const double distance = distance_to_line(middle, e);
+      if (distance > 0.5 * e.height && distance < 2.5 * e.height) return true;
+    }
+  }
+  return false;
+}
+
+void Folds::find_rims(const Scene& scene, double sag) {
+  const TriangleMesh& mesh = scene.mesh();
+  const auto kernel = [&](std::int64_t i) {
+    const auto row = static_cast<std::size_t>(i);
+    for (std::uint64_t at = first_[row]; at < first_[row + 1]; ++at) {
+      Fold& one = folds_[at];
+      if (!one.convex) continue;
+      one.turns_here = can_curve(mesh, facets_[row], one.edge, one.turn, sag) &&
+                       turns_beyond(mesh, facets_[row], one.edge);
+      one.turns_there =
+          can_curve(mesh, one.facet, one.other, one.turn, sag) && turns_beyond(mesh, one.facet, one.other);
+    }
+  };
+  parallel_for_cpu(scene.device(), static_cast<std::int64_t>(facets_.size()), kernel, grain);
+}
+
+std::vector<FacetId> Folds::within(std::span<const FacetId> facets, int rings) const {
+  std::vector<bool> seen(row_.size());
+  for (const FacetId f : facets) seen[f] = true;
+  std::vector<FacetId> last(facets.begin(), facets.end());
+  for (int ring = 0; ring < rings; ++ring) {
+    std::vector<FacetId> next;
+    for (const FacetId f : last) {
+      for (const Fold& n : of(f)) {
+        if (!seen[n.facet]) seen[n.facet] = true, next.push_back(n.facet);
+      }
+    }
+    last = std::move(next);
+  }
+  return flagged(seen);
+}
+
+}  // namespace gabarit

@@ -1,0 +1,71 @@
+#include "checks/radius.h"
+
+#include "checks/sphere_placement.h"
+#include "checks/turning.h"
+
+namespace gabarit {
+
+namespace {
+
+Field measure(const Scene& scene, const Setup& setup, const Region& region, const Arguments& arguments) {
+  return arguments.text("method") == "sphere placement" ? measure_sphere_placement(scene, setup, region)
+                                                        : measure_turning(scene, setup, region);
+}
+
+std::string sentence(const Arguments& arguments) {
+  return "the radius of convex rounding, by " + arguments.text("method");
+}
+
+}  // namespace
+
+const Measure radius_measure{
+    .name = "radius",
+    .summary = "The radius of convex rounding: 0 for a sharp edge, infinite for a plane or a hollow.",
+    .documentation =
+        "The smallest radius of convex curvature of the surface at a facet. Planes and hollows have an "
+        "infinite "
+        "radius, an edge with a jump of the normal has radius 0.\n\n"
+        "`turning` fits one curvature to the angles at the edges of a facet and of its neighbours. On a "
+        "surface "
+        "whose corners the mesh keeps, the angle at an edge is known from the curvature and from the shape "
+        "of "
+        "the two facets, whatever that shape is; so long strips and irregular triangles read the same "
+        "radius, "
+        "to within 4 %. Facets beyond the rim of a rounding are planes of their own. The bounds hold the "
+        "part "
+        "by which the edges disagree.\n\n"
+        "An edge that no rounding beside it explains is an edge: its radius is at most what can hide between "
+        "the facets and the true surface, s / (1 - cos(turn / 2)) for a sag of s between large facets, and "
+        "at "
+        "least 0. With a sag of 0.1 mm an edge of more than 25.7 deg is a certain violation of R4. What "
+        "turns "
+        "less, in one strip of facets, is undecided: a rounding and a blunt edge look the same.\n\n"
+        "Limits: the corners of the mesh have to lie on the true surface, as those of CAD exports do; "
+        "scanned or "
+        "smoothed meshes read too sharp or undecided. The sag has to be true: an edge of a coarser mesh is "
+        "taken "
+        "for sharp. At the free edge of an open mesh, and where facets disagree about the outside, the lower "
+        "bound is 0. Only the edges that the region selects are looked at for sharpness.\n\n"
+        "`sphere placement` is the method of the source: the largest ball that touches the facet from inside "
+        "at "
+        "its centroid and meets no facet beside it. The paper asks whether a ball of R4 fits, this gives the "
+        "radius at which the answer changes. Its bounds are those of the definition, not of the true "
+        "surface. "
+        "Known weakness: on the usual strips of split quadrilaterals it reads two thirds of the true radius "
+        "at "
+        "every resolution, so that a rounding of R5.9 fails R4; and it misses a sharp edge between facets "
+        "that "
+        "are large beside the limit (40 x 20 mm at 90 deg reads 6.7 mm).\n\n"
+        "Source: Inui and Umezu, Extraction of Vertical Cylinder Contacting Area for Motorcycle Safety "
+        "Verification, Computer-Aided Design and Applications (sphere placement); this project (turning).",
+    .symbol = "R",
+    .dimension = Dimension::length,
+    .parameters = {{.name = "method",
+                    .dimension = Dimension::choice,
+                    .documentation = "How the radius is found.",
+                    .default_text = "turning",
+                    .choices = {"turning", "sphere placement"}}},
+    .measure = measure,
+    .sentence = sentence};
+
+}  // namespace gabarit
