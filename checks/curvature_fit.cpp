@@ -28,7 +28,6 @@ struct Equation {
 
 struct Solution {
   Shape h;
-  double direction = 0;  // of the largest curvature, rad from the facet's first edge
   double sensitivity = 0;
 };
 
@@ -62,6 +61,7 @@ class Equations {
   bool resolved() const { return resolved_; }
   Solution solve(bool with_concave) const;
   double worst_residual(const Shape& h, bool with_concave) const;
+  double steepest() const;
   bool has_concave() const;
   std::size_t size() const { return size_; }
 
@@ -152,6 +152,14 @@ Equations::Equations(const TriangleMesh& mesh, const Folds& folds, FacetId f) : 
   }
 }
 
+double Equations::steepest() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    largest = std::max(largest, (equations_[i].turn - equations_[i].noise) / equations_[i].width);
+  }
+  return largest;
+}
+
 bool Equations::has_concave() const {
   return std::any_of(equations_.begin(), equations_.begin() + static_cast<std::ptrdiff_t>(size_),
                      [](const Equation& e) { return e.concave; });
@@ -179,7 +187,7 @@ Solution Equations::solve(bool with_concave) const {
   Solution s{.h = {x[0], x[1], x[2]}};
   // The direction of the largest curvature, and how much that curvature changes when every equation is off
   // by 1/mm.
-  const double angle = s.direction = 0.5 * std::atan2(2 * s.h.xy, s.h.xx - s.h.yy);
+  const double angle = 0.5 * std::atan2(2 * s.h.xy, s.h.xx - s.h.yy);
   const std::array<double, 3> g{std::cos(angle) * std::cos(angle), std::sin(2 * angle),
                                 std::sin(angle) * std::sin(angle)};
   const std::array<double, 3> y = solve_linear(a, g);
@@ -198,14 +206,6 @@ double Equations::worst_residual(const Shape& h, bool with_concave) const {
   return worst;
 }
 
-double square(double x) { return x * x; }
-
-double extent(const Corners2& corners, double direction) {
-  const Point2 u{std::cos(direction), std::sin(direction)};
-  const auto [low, high] = std::minmax({dot(corners[0], u), dot(corners[1], u), dot(corners[2], u)});
-  return high - low;
-}
-
 }  // namespace
 
 CurvatureFit fit_curvature(const TriangleMesh& mesh, const Folds& folds, FacetId f) {
@@ -214,12 +214,11 @@ CurvatureFit fit_curvature(const TriangleMesh& mesh, const Folds& folds, FacetId
   const auto fitted = [&](bool with_concave) {
     const Solution s = equations.solve(with_concave);
     const double curvature = largest_eigenvalue(s.h);
-    return CurvatureFit{
-        .curvature = curvature,
-        .doubt =
-            equations.worst_residual(s.h, with_concave) + usual_misfit * std::fabs(curvature) * s.sensitivity,
-        .sag = std::max(curvature, 0.0) * square(extent(in_own_plane(mesh, f), s.direction)) / 8,
-        .resolved = equations.resolved()};
+    return CurvatureFit{.curvature = curvature,
+                        .doubt = equations.worst_residual(s.h, with_concave) +
+                                 usual_misfit * std::fabs(curvature) * s.sensitivity,
+                        .steepest = equations.steepest(),
+                        .resolved = equations.resolved()};
   };
   const CurvatureFit all = fitted(true);
   if (!equations.has_concave()) return all;

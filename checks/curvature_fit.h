@@ -9,7 +9,7 @@ namespace gabarit {
 struct CurvatureFit {
   double curvature = 0;   // the largest normal curvature, convex positive, 1/mm
   double doubt = 0;       // by how much the edges disagree with it, 1/mm; infinite: nothing was fitted
-  double sag = 0;         // by which a surface so curved leaves the facet, mm
+  double steepest = 0;    // the largest turn at an edge over the mean height of its facets, 1/mm
   bool resolved = false;  // some edge turns with turning beyond both its sides: more than one strip of facets
 };
 

@@ -65,11 +65,11 @@ double distance_to_line(const Vec3d& p, const FacetEdge& e) {
   return length(cross(p - e.from, e.to - e.from)) / e.length;
 }
 
-// Whether the surface over the facet can have a good part in the turn at its edge: over a width w it leans
-// from the facet by 4 sag / w at most.
-bool can_curve(const TriangleMesh& mesh, FacetId f, int edge, double turn, double sag) {
-  constexpr double good_part = 0.25;
-  return 4 * sag > good_part * turn * facet_edge(mesh, f, edge).height;
+// Whether the first of two facets beside an edge can be curved like the other: over its height the least
+// curvature that explains the turn must not leave it by more than the sag, with room for irregular facets.
+bool can_curve(double turn, double height, double other, double sag) {
+  const double least_curvature = turn / (0.5 * (height + other));
+  return least_curvature * height * height / 8 < 2 * sag;
 }
 
 }  // namespace
@@ -161,10 +161,10 @@ void Folds::find_rims(const Scene& scene, double sag) {
     for (std::uint64_t at = first_[row]; at < first_[row + 1]; ++at) {
       Fold& one = folds_[at];
       if (!one.convex) continue;
-      one.turns_here = can_curve(mesh, facets_[row], one.edge, one.turn, sag) &&
-                       turns_beyond(mesh, facets_[row], one.edge);
-      one.turns_there =
-          can_curve(mesh, one.facet, one.other, one.turn, sag) && turns_beyond(mesh, one.facet, one.other);
+      const double here = facet_edge(mesh, facets_[row], one.edge).height;
+      const double there = facet_edge(mesh, one.facet, one.other).height;
+      one.turns_here = can_curve(one.turn, here, there, sag) && turns_beyond(mesh, facets_[row], one.edge);
+      one.turns_there = can_curve(one.turn, there, here, sag) && turns_beyond(mesh, one.facet, one.other);
     }
   };
   parallel_for_cpu(scene.device(), static_cast<std::int64_t>(facets_.size()), kernel, grain);

@@ -1,11 +1,13 @@
 #include "checks/turning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "checks/curvature_fit.h"
+#include "checks/hidden_rounding.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -15,16 +17,22 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t grain = 512;
+constexpr double degree = std::numbers::pi / 180;
 
-// Of the fitted curvature: what second order leaves out, measured on roundings of one radius.
+// Of a curvature: what second order leaves out, measured on roundings of one radius.
 constexpr double model_error = 0.03;
 // A fit whose edges disagree by more than this share of the curvature has no single curvature to tell.
 constexpr double most_doubt = 0.2;
-// An edge that turns by more is sharp as far as the mesh tells; below, it may be half of a coarse rounding.
-constexpr double sharp = 25 * std::numbers::pi / 180;
-
 // 1/mm: a surface this flat is a plane.
 constexpr double flat = 1e-4;
+// An edge that turns by more is sharp as far as the mesh tells.
+constexpr double sharp = 25 * degree;
+// Edges that turn by less, with turning beyond both sides, belong to a surface that is irregular, not sharp…
+constexpr double gentle = 6 * degree;
+// …whose curvature is taken to be at most so many times the steepest turn over width nearby.
+constexpr double irregularity = 3;
+// Two rings for the bounds, and those that the fits look at: edges of neighbours, and two facets beyond them.
+constexpr int rings = 5;
 
 double radius(double curvature) { return curvature > 1e-9 ? 1 / curvature : infinity; }
 
@@ -39,42 +47,12 @@ struct Reading {
   Vec3d at, contact;
 };
 
-// How far the facet reaches from its edge, at right angles, at a place along the edge.
-double reach(const FacetEdge& e, double at) {
-  const double share = at < e.foot ? at / e.foot : (e.length - at) / (e.length - e.foot);
-  return e.height * std::clamp(share, 0.0, 1.0);
-}
-
-double longest_side(const FacetEdge& e) {
-  return std::max({e.length, length(e.apex - e.from), length(e.apex - e.to)});
-}
-
-// Any section across the edge gives a bound; three of them.
-double largest_rounding(const TriangleMesh& mesh, FacetId f, const Fold& fold, double sag) {
-  const FacetEdge here = facet_edge(mesh, f, fold.edge);
-  const FacetEdge there = facet_edge(mesh, fold.facet, fold.other);
-  const Vec3d along = (here.to - here.from) / here.length;
-  const double a = dot(there.from - here.from, along);
-  const double b = dot(there.to - here.from, along);
-  const double from = std::max(0.0, std::min(a, b));
-  const double to = std::min(here.length, std::max(a, b));
-  double smallest = infinity;
-  for (const double share : {0.25, 0.5, 0.75}) {
-    const double at = from + share * (to - from);
-    const Leg mine{reach(here, at), longest_side(here)};
-    const Leg theirs{reach(there, std::fabs(at - a)), longest_side(there)};
-    smallest = std::min(smallest, largest_rounding(fold.turn - fold.noise, sag, mine, theirs));
-  }
-  return smallest;
-}
-
-// By how much a leg can lean away from the tangent of a rounding of radius r at its corner, rad.
-double most_lean(const Leg& leg, double r, double sag) {
-  const double depth = std::min(sag, leg.longest * leg.longest / (6 * r));
-  const double free = std::sqrt(2 * r * depth);  // where the rounding is furthest from the leg
-  if (leg.length < free) return depth / leg.length + leg.length / (2 * r);
-  return depth < r ? std::acos(1 - depth / r) : std::numbers::pi;
-}
+// What the edges of a facet come to.
+struct Edges {
+  bool explained = true;   // by the roundings beside them, or gentle
+  bool convex = false;     // some are
+  bool irregular = false;  // some are explained only as gentle
+};
 
 class Turning {
  public:
@@ -82,18 +60,19 @@ class Turning {
   Reading read(FacetId f) const;
 
  private:
-  bool trusted(const CurvatureFit& fit) const;
   const CurvatureFit& fit(FacetId f) const { return fits_[place_[f]]; }
+  void doubt_coarse(FacetId f, CurvatureFit& fit) const;
   double curvature_beside(FacetId f) const;
   double curvature_around(FacetId f) const;
-  double least(const CurvatureFit& fit) const;
   double least_beside(FacetId f) const;
-  bool explained(FacetId f, const Fold& fold, double curvature) const;
-  bool explained(FacetId f, Reading& reading) const;
   bool on_plane(FacetId f) const;
-  void limit_by_edge(FacetId f, const Fold& fold, Reading& reading) const;
   bool open(FacetId f) const;
+  bool explained(FacetId f, const Fold& fold, double curvature) const;
+  bool is_gentle(FacetId f, const Fold& fold) const;
   Selected selected(FacetId f, const Fold& fold) const;
+  Edges look_at_edges(FacetId f, Reading& reading) const;
+  void limit_by_edge(FacetId f, const Fold& fold, Reading& reading) const;
+  void read_value(FacetId f, const Edges& edges, Reading& reading) const;
 
   const TriangleMesh* mesh_;
   const Region* region_;
@@ -103,9 +82,16 @@ class Turning {
   std::vector<CurvatureFit> fits_;
 };
 
-// Two rings for the bounds, and those that the neighbours' fits look at: edges of neighbours, and two facets
-// beyond them.
-constexpr int rings = 5;
+bool trusted(const CurvatureFit& fit) {
+  return fit.doubt <= most_doubt * std::max(fit.curvature, 0.0) + flat;
+}
+bool sure_of_rounding(const CurvatureFit& fit) { return fit.resolved && trusted(fit); }
+
+// The curvature that is there for certain, and the most that it can be.
+double least(const CurvatureFit& fit) {
+  return sure_of_rounding(fit) ? fit.curvature * (1 - model_error) - fit.doubt : 0;
+}
+double most(const CurvatureFit& fit) { return std::max(fit.curvature, 0.0) * (1 + model_error) + fit.doubt; }
 
 Turning::Turning(const Scene& scene, const Setup& setup, const Region& region,
                  const std::vector<FacetId>& selected)
@@ -117,28 +103,37 @@ Turning::Turning(const Scene& scene, const Setup& setup, const Region& region,
   const auto kernel = [&](std::int64_t i) {
     const auto at = static_cast<std::size_t>(i);
     fits_[at] = fit_curvature(*mesh_, folds_, fitted[at]);
+    doubt_coarse(fitted[at], fits_[at]);
   };
   parallel_for_cpu(scene.device(), static_cast<std::int64_t>(fitted.size()), kernel, grain);
 }
 
-bool Turning::trusted(const CurvatureFit& fit) const {
-  return fit.doubt <= most_doubt * std::max(fit.curvature, 0.0) + flat &&
-         fit.sag <= (1 + most_doubt / 2) * sag_;
+// A regular polygon fits a circle perfectly; that its sides leave the circle by more than the sag tells them
+// apart.
+void Turning::doubt_coarse(FacetId f, CurvatureFit& fit) const {
+  if (!sure_of_rounding(fit)) return;
+  const double r = radius(fit.curvature) * (1 - most_doubt / 2);
+  for (const Fold& fold : folds_.of(f)) {
+    if (fold.convex && fold.oriented && !is_rim_here(fold) && too_coarse(*mesh_, f, fold, r, sag_))
+      fit.doubt = infinity;
+  }
 }
 
 // The largest curvature that a neighbour is sure of.
 double Turning::curvature_beside(FacetId f) const {
   double largest = 0;
   for (const Fold& fold : folds_.of(f)) {
-    const CurvatureFit& there = fit(fold.facet);
-    if (there.resolved && trusted(there)) largest = std::max(largest, there.curvature + there.doubt);
+    if (sure_of_rounding(fit(fold.facet))) largest = std::max(largest, most(fit(fold.facet)));
   }
   return largest;
 }
 
-// The curvature that is there for certain.
-double Turning::least(const CurvatureFit& fit) const {
-  return fit.resolved && trusted(fit) ? fit.curvature * (1 - model_error) - fit.doubt : 0;
+// The same within two edges. A facet across the rim of a rounding that no edges mark reads the mean of what
+// it covers; the facets behind it know better.
+double Turning::curvature_around(FacetId f) const {
+  double largest = curvature_beside(f);
+  for (const Fold& fold : folds_.of(f)) largest = std::max(largest, curvature_beside(fold.facet));
+  return largest;
 }
 
 // What a neighbour confirms: one facet across a rim can be misled.
@@ -146,48 +141,6 @@ double Turning::least_beside(FacetId f) const {
   double largest = 0;
   for (const Fold& fold : folds_.of(f)) largest = std::max(largest, least(fit(fold.facet)));
   return largest;
-}
-
-// The same within two edges. A facet across the rim of a rounding that no edges mark reads the mean of what
-// it covers; the facets behind it know better.
-double Turning::curvature_around(FacetId f) const {
-  double largest = 0;
-  for (const Fold& fold : folds_.of(f)) largest = std::max(largest, curvature_beside(fold.facet));
-  return largest;
-}
-
-// Whether the fold turns by no more than a surface of that curvature does between the two facets.
-bool Turning::explained(FacetId f, const Fold& fold, double curvature) const {
-  const double here = facet_edge(*mesh_, f, fold.edge).height;
-  const double there = facet_edge(*mesh_, fold.facet, fold.other).height;
-  const double width = is_rim_here(fold) ? 0.5 * there : 0.5 * (here + there);
-  return fold.turn - fold.noise <= (1 + most_doubt) * curvature * width;
-}
-
-Selected Turning::selected(FacetId f, const Fold& fold) const {
-  return either(region_->edge(f, fold.edge), region_->edge(fold.facet, fold.other));
-}
-
-bool Turning::open(FacetId f) const {
-  std::array<bool, 3> closed{};
-  for (const Fold& fold : folds_.of(f)) closed[fold.edge] = true;
-  for (int e = 0; e < 3; ++e) {
-    if (!closed[static_cast<std::size_t>(e)] && region_->edge(f, e) != Selected::no) return true;
-  }
-  return false;
-}
-
-// An edge that no rounding explains: the largest that can hide between the facets and the true surface is a
-// certain upper bound.
-void Turning::limit_by_edge(FacetId f, const Fold& fold, Reading& reading) const {
-  reading.lower = 0;
-  if (!fold.convex || !fold.oriented || selected(f, fold) != Selected::yes) return;
-  const double largest = largest_rounding(*mesh_, f, fold, sag_);
-  if (largest >= reading.upper) return;
-  const FacetEdge edge = facet_edge(*mesh_, f, fold.edge);
-  reading.upper = largest;
-  reading.contact = 0.5 * (edge.from + edge.to);
-  if (fold.turn > sharp) reading.value = 0, reading.absence = Absence::none;
 }
 
 // In one plane with what lies beyond its edges, but for rims of roundings: then it is flat itself, however
@@ -202,21 +155,81 @@ bool Turning::on_plane(FacetId f) const {
   return any;
 }
 
-// Whether every selected edge turns by no more than the roundings beside it do; limits the reading by those
-// that turn more.
-bool Turning::explained(FacetId f, Reading& reading) const {
-  const CurvatureFit& own = fit(f);
-  const bool resolved = trusted(own) && own.resolved;
-  const double beside = curvature_beside(f);
-  bool all = true;
-  for (const Fold& fold : folds_.of(f)) {
-    if (selected(f, fold) == Selected::no || !turns(fold)) continue;
-    if (fold.oriented && resolved && !is_rim_here(fold)) continue;
-    if (fold.oriented && explained(f, fold, beside)) continue;
-    limit_by_edge(f, fold, reading);
-    all = false;
+bool Turning::open(FacetId f) const {
+  std::array<bool, 3> closed{};
+  for (const Fold& fold : folds_.of(f)) closed[fold.edge] = true;
+  for (int e = 0; e < 3; ++e) {
+    if (!closed[static_cast<std::size_t>(e)] && region_->edge(f, e) != Selected::no) return true;
   }
-  return all;
+  return false;
+}
+
+// Whether the fold turns by no more than a surface of that curvature does between the two facets.
+bool Turning::explained(FacetId f, const Fold& fold, double curvature) const {
+  const double here = facet_edge(*mesh_, f, fold.edge).height;
+  const double there = facet_edge(*mesh_, fold.facet, fold.other).height;
+  const double width = is_rim_here(fold) ? 0.5 * there : 0.5 * (here + there);
+  return fold.turn - fold.noise <= (1 + most_doubt) * curvature * width;
+}
+
+bool Turning::is_gentle(FacetId f, const Fold& fold) const {
+  if (fold.turn > gentle || is_rim_here(fold) || is_rim_there(fold)) return false;
+  return !too_coarse(*mesh_, f, fold, radius(fit(f).steepest), sag_);
+}
+
+Selected Turning::selected(FacetId f, const Fold& fold) const {
+  return either(region_->edge(f, fold.edge), region_->edge(fold.facet, fold.other));
+}
+
+// An edge that no rounding explains: the largest that can hide there is a certain upper bound.
+void Turning::limit_by_edge(FacetId f, const Fold& fold, Reading& reading) const {
+  if (!fold.convex || !fold.oriented || selected(f, fold) != Selected::yes) return;
+  const double largest = largest_rounding(*mesh_, folds_, f, fold, sag_);
+  if (largest >= reading.upper) return;
+  const FacetEdge edge = facet_edge(*mesh_, f, fold.edge);
+  reading.upper = largest;
+  reading.contact = 0.5 * (edge.from + edge.to);
+  if (fold.turn > sharp) reading.value = 0, reading.absence = Absence::none;
+}
+
+Edges Turning::look_at_edges(FacetId f, Reading& reading) const {
+  const bool sure = sure_of_rounding(fit(f));
+  const double beside = curvature_beside(f);
+  Edges edges;
+  for (const Fold& fold : folds_.of(f)) {
+    if (!turns(fold) || selected(f, fold) == Selected::no) continue;
+    edges.convex = true;
+    if (fold.oriented && sure && !is_rim_here(fold)) continue;
+    if (fold.oriented && explained(f, fold, beside)) continue;
+    if (fold.oriented && is_gentle(f, fold)) {
+      edges.irregular = true;
+      continue;
+    }
+    edges.explained = false;
+    limit_by_edge(f, fold, reading);
+  }
+  return edges;
+}
+
+// Of a facet whose edges are explained.
+void Turning::read_value(FacetId f, const Edges& edges, Reading& reading) const {
+  const CurvatureFit& own = fit(f);
+  const double around = curvature_around(f);
+  reading.absence = Absence::none;
+  if (on_plane(f)) {
+    reading.value = infinity;
+    reading.lower = radius(flat);
+  } else if (edges.irregular) {
+    reading.lower = radius(std::max(around, irregularity * own.steepest));
+    reading.value = std::clamp(radius(own.curvature), reading.lower, reading.upper);
+  } else if (trusted(own)) {
+    reading.value = radius(own.curvature);
+    reading.lower = radius(std::max(most(own) + flat, around));
+  } else {
+    // Hollow, or flat beside a hollow.
+    reading.value = edges.convex ? radius(around) : infinity;
+    reading.lower = radius(std::max(flat, around));
+  }
 }
 
 Reading Turning::read(FacetId f) const {
@@ -226,20 +239,9 @@ Reading Turning::read(FacetId f) const {
     reading.absence = Absence::degenerate;
     return reading;
   }
-  const CurvatureFit& own = fit(f);
-  const double beside = curvature_beside(f);
-  const double curvature = std::max(own.curvature, 0.0);
-  const bool plane = on_plane(f);
-  const bool sure = trusted(own) && !plane;
-  if (sure && own.resolved) reading.upper = radius(std::min(least(own), least_beside(f)));
-  if (explained(f, reading) && (plane || sure || beside > 0)) {
-    const double largest = (1 + model_error) * std::max(beside, curvature_around(f));
-    reading.value = plane ? infinity : radius(sure ? curvature : beside);
-    reading.lower = plane  ? radius(flat)
-                    : sure ? radius(std::max(curvature * (1 + model_error) + own.doubt + flat, largest))
-                           : radius(largest);
-    reading.absence = Absence::none;
-  }
+  if (!on_plane(f)) reading.upper = radius(std::min(least(fit(f)), least_beside(f)));
+  const Edges edges = look_at_edges(f, reading);
+  if (edges.explained) read_value(f, edges, reading);
   if (open(f)) {
     reading.lower = 0;
     if (reading.upper == infinity) reading.value = unknown, reading.absence = Absence::open;
@@ -248,18 +250,6 @@ Reading Turning::read(FacetId f) const {
 }
 
 }  // namespace
-
-double largest_rounding(double turn, double sag, const Leg& a, const Leg& b) {
-  const auto most_turn = [&](double r) { return most_lean(a, r, sag) + most_lean(b, r, sag); };
-  if (!(turn > 0) || most_turn(1e6) >= turn) return infinity;
-  double low = 1e-9;
-  double high = 1e6;
-  while (high > low * (1 + 1e-9)) {
-    const double middle = std::sqrt(low * high);
-    (most_turn(middle) >= turn ? low : high) = middle;
-  }
-  return high;
-}
 
 Field measure_turning(const Scene& scene, const Setup& setup, const Region& region) {
   Field field;
