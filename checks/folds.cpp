@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "checks/orientation.h"
+#include "checks/slivers.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -36,11 +38,8 @@ void add_ring(const TriangleMesh& mesh, std::vector<bool>& facets) {
   }
 }
 
-double coordinate_rounding(const FacetEdge& e) {
-  const auto largest = [](const Vec3d& p) {
-    return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  };
-  return std::ldexp(std::max({largest(e.from), largest(e.to), largest(e.apex)}), -24);
+double rounding(const FacetEdge& e) {
+  return std::max({coordinate_rounding(e.from), coordinate_rounding(e.to), coordinate_rounding(e.apex)});
 }
 
 Fold fold(const TriangleMesh& mesh, FacetId f, const EdgeNeighbour& n) {
@@ -51,7 +50,7 @@ Fold fold(const TriangleMesh& mesh, FacetId f, const EdgeNeighbour& n) {
   const Vec3d other = n.reversed ? facet_normal(mesh, n.facet) : -facet_normal(mesh, n.facet);
   const double turn = std::atan2(dot(cross(normal, other), along), dot(normal, other));
   // A corner of either facet can be off by the rounding, in any direction.
-  const double noise = 2 * coordinate_rounding(here) * (1 / here.height + 1 / there.height);
+  const double noise = 2 * rounding(here) * (1 / here.height + 1 / there.height);
   return {.facet = n.facet,
           .edge = n.edge,
           .other = n.other,
@@ -121,18 +120,34 @@ Folds::Folds(const Scene& scene, std::span<const FacetId> facets, int rings, dou
 }
 
 void Folds::fill(const Scene& scene, const Adjacency& adjacency) {
+  const TriangleMesh& mesh = scene.mesh();
+  const auto count = static_cast<std::int64_t>(facets_.size());
   first_.assign(facets_.size() + 1, 0);
-  for (std::size_t i = 0; i < facets_.size(); ++i) {
-    row_[facets_[i]] = static_cast<std::uint32_t>(i + 1);
-    first_[i + 1] = first_[i] + adjacency.of(facets_[i]).size();
-  }
-  folds_.resize(first_.back());
-  const auto kernel = [&](std::int64_t i) {
-    const FacetId f = facets_[static_cast<std::size_t>(i)];
-    std::uint64_t at = first_[static_cast<std::size_t>(i)];
-    for (const EdgeNeighbour& n : adjacency.of(f)) folds_[at++] = fold(scene.mesh(), f, n);
+  for (std::size_t i = 0; i < facets_.size(); ++i) row_[facets_[i]] = static_cast<std::uint32_t>(i + 1);
+  const auto count_them = [&](std::int64_t i) {
+    std::vector<EdgeNeighbour> neighbours;
+    neighbours_over_slivers(mesh, adjacency, facets_[static_cast<std::size_t>(i)], neighbours);
+    first_[static_cast<std::size_t>(i) + 1] = neighbours.size();
   };
-  parallel_for_cpu(scene.device(), static_cast<std::int64_t>(facets_.size()), kernel, grain);
+  parallel_for_cpu(scene.device(), count, count_them, grain);
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  folds_.resize(first_.back());
+  inside_out_ = inside_out_bodies(mesh);
+  const auto looks_inwards = [&](std::uint32_t body) {
+    return std::binary_search(inside_out_.begin(), inside_out_.end(), body);
+  };
+  const auto fill_them = [&](std::int64_t i) {
+    const FacetId f = facets_[static_cast<std::size_t>(i)];
+    std::vector<EdgeNeighbour> neighbours;
+    neighbours_over_slivers(mesh, adjacency, f, neighbours);
+    std::uint64_t at = first_[static_cast<std::size_t>(i)];
+    for (const EdgeNeighbour& n : neighbours) {
+      folds_[at] = fold(mesh, f, n);
+      if (looks_inwards(mesh.body_of(f))) folds_[at].oriented = false;
+      ++at;
+    }
+  };
+  parallel_for_cpu(scene.device(), count, fill_them, grain);
 }
 
 // Whether there is convex turning on the far side of facet f as seen from one of its edges, no further away

@@ -51,12 +51,15 @@ class Folds {
   }
   // The facets asked about and those within `rings` edges, ascending.
   std::vector<FacetId> within(std::span<const FacetId> facets, int rings) const;
+  // Bodies whose facets look inwards: none of their folds are oriented.
+  const std::vector<std::uint32_t>& inside_out() const { return inside_out_; }
 
  private:
   void fill(const Scene& scene, const Adjacency& adjacency);
   void find_rims(const Scene& scene, double sag);
   bool turns_beyond(const TriangleMesh& mesh, FacetId f, int edge) const;
 
+  std::vector<std::uint32_t> inside_out_;
   std::vector<FacetId> facets_;
   std::vector<std::uint32_t> row_;  // by facet: row + 1 in first_, 0 when further away
   std::vector<std::uint64_t> first_;

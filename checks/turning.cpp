@@ -5,9 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "checks/curvature_fit.h"
 #include "checks/hidden_rounding.h"
+#include "checks/slivers.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -31,8 +35,9 @@ constexpr double sharp = 25 * degree;
 constexpr double gentle = 6 * degree;
 // …whose curvature is taken to be at most so many times the steepest turn over width nearby.
 constexpr double irregularity = 3;
-// Two rings for the bounds, and those that the fits look at: edges of neighbours, and two facets beyond them.
-constexpr int rings = 5;
+// Three rings of fits, and those that they look at: edges of neighbours, and two facets beyond them.
+constexpr int fitted_rings = 3;
+constexpr int rings = 6;
 
 double radius(double curvature) { return curvature > 1e-9 ? 1 / curvature : infinity; }
 
@@ -58,8 +63,11 @@ class Turning {
  public:
   Turning(const Scene& scene, const Setup& setup, const Region& region, const std::vector<FacetId>& selected);
   Reading read(FacetId f) const;
+  std::vector<std::string> notes(const Model& model) const;
 
  private:
+  Reading read_facet(FacetId f) const;
+  Reading read_sliver(FacetId f) const;
   const CurvatureFit& fit(FacetId f) const { return fits_[place_[f]]; }
   void doubt_coarse(FacetId f, CurvatureFit& fit) const;
   double curvature_beside(FacetId f) const;
@@ -87,6 +95,9 @@ bool trusted(const CurvatureFit& fit) {
 }
 bool sure_of_rounding(const CurvatureFit& fit) { return fit.resolved && trusted(fit); }
 
+// Whether the fold parts two surfaces.
+bool parts(const Fold& fold) { return is_rim_here(fold) || fold.turn < -sharp; }
+
 // The curvature that is there for certain, and the most that it can be.
 double least(const CurvatureFit& fit) {
   return sure_of_rounding(fit) ? fit.curvature * (1 - model_error) - fit.doubt : 0;
@@ -96,7 +107,7 @@ double most(const CurvatureFit& fit) { return std::max(fit.curvature, 0.0) * (1 
 Turning::Turning(const Scene& scene, const Setup& setup, const Region& region,
                  const std::vector<FacetId>& selected)
     : mesh_(&scene.mesh()), region_(&region), sag_(setup.sag), folds_(scene, selected, rings, setup.sag) {
-  const std::vector<FacetId> fitted = folds_.within(selected, 2);
+  const std::vector<FacetId> fitted = folds_.within(selected, fitted_rings);
   place_.assign(mesh_->facet_count(), 0);
   fits_.resize(fitted.size());
   for (std::size_t i = 0; i < fitted.size(); ++i) place_[fitted[i]] = static_cast<std::uint32_t>(i);
@@ -128,11 +139,18 @@ double Turning::curvature_beside(FacetId f) const {
   return largest;
 }
 
-// The same within two edges. A facet across the rim of a rounding that no edges mark reads the mean of what
-// it covers; the facets behind it know better.
+// The same within two edges, not across rims of planes and sharp hollows. A facet across the rim of a
+// rounding that no edges mark reads the mean of what it covers; the facets behind it know better.
 double Turning::curvature_around(FacetId f) const {
-  double largest = curvature_beside(f);
-  for (const Fold& fold : folds_.of(f)) largest = std::max(largest, curvature_beside(fold.facet));
+  double largest = 0;
+  for (const Fold& fold : folds_.of(f)) {
+    if (parts(fold)) continue;
+    if (sure_of_rounding(fit(fold.facet))) largest = std::max(largest, most(fit(fold.facet)));
+    for (const Fold& next : folds_.of(fold.facet)) {
+      if (!parts(next) && sure_of_rounding(fit(next.facet)))
+        largest = std::max(largest, most(fit(next.facet)));
+    }
+  }
   return largest;
 }
 
@@ -143,13 +161,13 @@ double Turning::least_beside(FacetId f) const {
   return largest;
 }
 
-// In one plane with what lies beyond its edges, but for rims of roundings: then it is flat itself, however
-// sharp those are.
+// In one plane with what lies beyond its edges, but for rims of roundings and hollows: then it is flat
+// itself, however sharp those are.
 bool Turning::on_plane(FacetId f) const {
   bool any = false;
   for (const Fold& fold : folds_.of(f)) {
-    if (is_rim_here(fold)) continue;
-    if (std::fabs(fold.turn) > fold.noise + smallest_turn) return false;
+    if (is_rim_here(fold) || fold.turn < -fold.noise - smallest_turn) continue;
+    if (fold.turn > fold.noise + smallest_turn) return false;
     any = true;
   }
   return any;
@@ -227,18 +245,15 @@ void Turning::read_value(FacetId f, const Edges& edges, Reading& reading) const 
     reading.lower = radius(std::max(most(own) + flat, around));
   } else {
     // Hollow, or flat beside a hollow.
-    reading.value = edges.convex ? radius(around) : infinity;
-    reading.lower = radius(std::max(flat, around));
+    const double most_near = std::max(around, edges.convex ? curvature_beside(f) : 0);
+    reading.value = edges.convex ? radius(most_near) : infinity;
+    reading.lower = radius(std::max(flat, most_near));
   }
 }
 
-Reading Turning::read(FacetId f) const {
+Reading Turning::read_facet(FacetId f) const {
   Reading reading;
   reading.at = reading.contact = mesh_->centroid(f);
-  if (facet_normal(*mesh_, f) == Vec3d{}) {
-    reading.absence = Absence::degenerate;
-    return reading;
-  }
   if (!on_plane(f)) reading.upper = radius(std::min(least(fit(f)), least_beside(f)));
   const Edges edges = look_at_edges(f, reading);
   if (edges.explained) read_value(f, edges, reading);
@@ -247,6 +262,38 @@ Reading Turning::read(FacetId f) const {
     if (reading.upper == infinity) reading.value = unknown, reading.absence = Absence::open;
   }
   return reading;
+}
+
+// A sliver has no direction of its own: it is as round as the less certain of the facets beside it.
+Reading Turning::read_sliver(FacetId f) const {
+  Reading worst;
+  worst.lower = infinity;
+  for (const Fold& fold : folds_.of(f)) {
+    const Reading beside = read_facet(fold.facet);
+    if (beside.lower < worst.lower || (beside.lower == worst.lower && beside.upper < worst.upper))
+      worst = beside;
+  }
+  if (worst.lower == infinity) worst.lower = 0;
+  worst.at = worst.contact = mesh_->centroid(f);
+  return worst;
+}
+
+Reading Turning::read(FacetId f) const {
+  if (facet_normal(*mesh_, f) != Vec3d{}) return is_sliver(*mesh_, f) ? read_sliver(f) : read_facet(f);
+  Reading reading;
+  reading.absence = Absence::degenerate;
+  reading.at = reading.contact = mesh_->centroid(f);
+  return reading;
+}
+
+std::vector<std::string> Turning::notes(const Model& model) const {
+  std::vector<std::string> notes;
+  for (const std::uint32_t body : folds_.inside_out()) {
+    notes.push_back(fmt::format(
+        "The facets of `{}` look inwards: rounded and hollow cannot be told apart, what turns is undecided.",
+        body < model.bodies.size() ? model.bodies[body] : std::to_string(body)));
+  }
+  return notes;
 }
 
 }  // namespace
@@ -268,6 +315,7 @@ Field measure_turning(const Scene& scene, const Setup& setup, const Region& regi
     field.absence[at] = r.absence;
   };
   parallel_for_cpu(scene.device(), static_cast<std::int64_t>(field.size()), kernel, grain);
+  field.notes = turning.notes(scene.model());
   return field;
 }
 
