@@ -12,19 +12,22 @@ static double half_extent(const Box3d& box, const Vec3d& direction) {
   return half.x * std::abs(direction.x) + half.y * std::abs(direction.y) + half.z * std::abs(direction.z);
 }
 
-// Shows the whole box from `toward` with a margin around it.
-static Camera view_of(const Box3d& box, const Vec3d& toward, const Vec3d& right, double aspect) {
+// Sets the width and height that show an extent on the page, with a margin around it.
+static void show(Camera& camera, double width, double height, double aspect) {
   constexpr double margin = 1.08;
   constexpr double largest = std::numeric_limits<double>::max() / 4;
+  camera.width = margin * std::max(width, height * aspect);
+  camera.width = camera.width > 0 ? std::min(camera.width, largest) : 1;
+  camera.height = camera.width / aspect;
+}
+
+static Camera view_of(const Box3d& box, const Vec3d& toward, const Vec3d& right, double aspect) {
   Camera camera;
   camera.right = right;
   camera.up = cross(toward, right);
-  if (!box.empty()) {
-    camera.target = box.min * 0.5 + box.max * 0.5;
-    camera.width = 2 * margin * std::max(half_extent(box, right), half_extent(box, camera.up) * aspect);
-  }
-  camera.width = camera.width > 0 ? std::min(camera.width, largest) : 1;
-  camera.height = camera.width / aspect;
+  if (!box.empty()) camera.target = box.min * 0.5 + box.max * 0.5;
+  const bool empty = box.empty();
+  show(camera, empty ? 0 : 2 * half_extent(box, right), empty ? 0 : 2 * half_extent(box, camera.up), aspect);
   return camera;
 }
 
@@ -48,6 +51,29 @@ std::vector<View> fixed_views(const Box3d& box, const Frame& frame, double aspec
           {"bottom", view_of(box, -frame.up, rear, aspect)},
           {"front left, from above", view_around(box, frame, 40 * degree, 25 * degree, aspect)},
           {"rear right, from above", view_around(box, frame, 220 * degree, 25 * degree, aspect)}};
+}
+
+// Moves the camera sideways and closer until the facets fill the picture.
+static void fit(Camera& camera, const TriangleMesh& mesh, const std::vector<bool>& used, double aspect) {
+  Box3d page;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const PagePoint p = project(camera, mesh.vertices[v]);
+    if (used[v] && std::isfinite(p.x) && std::isfinite(p.y)) page.add(Vec3d{p.x, p.y, 0});
+  }
+  if (page.empty() || !is_finite(page.extent())) return;
+  const Vec3d middle = page.centre();
+  camera.target += camera.right * middle.x + camera.up * middle.y;
+  show(camera, page.extent().x, page.extent().y, aspect);
+}
+
+std::vector<View> fixed_views(const TriangleMesh& mesh, const Frame& frame, double aspect) {
+  std::vector<bool> used(mesh.vertices.size());
+  for (const auto& facet : mesh.facets) {
+    for (const VertexId v : facet) used[v] = true;
+  }
+  std::vector<View> views = fixed_views(bounding_box(mesh), frame, aspect);
+  for (View& view : views) fit(view.camera, mesh, used, aspect);
+  return views;
 }
 
 Camera close_up(const Vec3d& at, const Vec3d& outward, const Frame& frame, double extent, double aspect) {

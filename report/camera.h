@@ -6,6 +6,7 @@
 
 #include "checks/frame.h"
 #include "gpu/box.h"
+#include "model/triangle_mesh.h"
 
 namespace gabarit {
 
@@ -26,6 +27,8 @@ struct View {
 // The views of a report: front, rear, left, right, top, bottom, then front left and rear right from above;
 // each shows the whole box with a margin at the picture's aspect (width / height).
 std::vector<View> fixed_views(const Box3d& box, const Frame& frame, double aspect);
+// The same for the facets themselves: closer where the box has empty corners.
+std::vector<View> fixed_views(const TriangleMesh& mesh, const Frame& frame, double aspect);
 
 // A close-up: looks against `outward` (as far as that can be told from straight up), `extent` mm across.
 Camera close_up(const Vec3d& at, const Vec3d& outward, const Frame& frame, double extent, double aspect);

@@ -74,7 +74,8 @@ static std::vector<double> edges(DisplayRange range, const std::optional<Limit>&
   const double first = std::floor((range.low - anchor) / step);
   const double last = std::max(std::ceil((range.high - anchor) / step), first + 1);
   std::vector<double> result;
-  for (double i = 0; i <= std::min(last - first, 4096.0); ++i) {
+  const int count = static_cast<int>(std::min(last - first, 4096.0));
+  for (int i = 0; i <= count; ++i) {
     const double k = first + i;
     result.push_back(parts > 0 && k == parts ? limit->high : anchor + k * step);
   }

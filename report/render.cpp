@@ -56,7 +56,7 @@ void draw_tile(const Job& job, int number, Film& film) {
     draw_with_emphasis(job, number, tile);
   }
   shade(job.facets, tile);
-  if (drawing.outlines) ink_outlines(job.facets, tile);
+  if (drawing.outlines) ink_outlines(tile);
   stamp_marks(job.facets, job.bins->of(number), job.bins->large(), tile);
   draw_lines(job.lines, tile);
   resolve(tile, film);

@@ -28,6 +28,17 @@ static Light averaged_light(const Tile& tile, int x, int y) {
           static_cast<std::uint16_t>(averaged(b))};
 }
 
+static std::uint8_t shaded(const Tile& tile, int x, int y) {
+  unsigned sum = 0;
+  for (int v = 0; v < samples_per_pixel; ++v) {
+    for (int u = 0; u < samples_per_pixel; ++u) {
+      const Cover cover = tile.cover[Tile::at(x + u, y + v)];
+      sum += cover == Cover::facet ? 4 : cover == Cover::faint ? 1 : 0;
+    }
+  }
+  return static_cast<std::uint8_t>(sum);
+}
+
 void resolve(const Tile& tile, Film& film) {
   constexpr int rim = rim_pixels * samples_per_pixel;
   const int left = (tile.left + rim) / samples_per_pixel;
@@ -38,11 +49,7 @@ void resolve(const Tile& tile, Film& film) {
       const int sx = rim + x * samples_per_pixel;
       const int sy = rim + y * samples_per_pixel;
       pixel.light = averaged_light(tile, sx, sy);
-      for (int v = 0; v < samples_per_pixel; ++v) {
-        for (int u = 0; u < samples_per_pixel; ++u) {
-          if (tile.cover[Tile::at(sx + u, sy + v)] == Cover::facet) ++pixel.share;
-        }
-      }
+      pixel.shaded = shaded(tile, sx, sy);
       pixel.depth = tile.front.depth[Tile::at(sx + samples_per_pixel / 2, sy + samples_per_pixel / 2)] /
                     samples_per_pixel;
     }

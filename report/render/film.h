@@ -10,7 +10,7 @@ namespace gabarit {
 
 struct FilmPixel {
   Light light;
-  std::uint8_t share = 0;                                 // samples out of 16 that show a shaded facet
+  std::uint8_t shaded = 0;  // 4 for each of the 16 samples that shows a facet, 1 where it is faint
   float depth = -std::numeric_limits<float>::infinity();  // pixels toward the eye, in the middle of the pixel
 };
 

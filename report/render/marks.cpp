@@ -103,16 +103,6 @@ Sliver sliver_of(const Facets& facets, FacetId f, const Tile& tile) {
           base > 0 ? std::abs(u.x * v.y - u.y * v.x) / base : 0};
 }
 
-// Nothing within a sample lets it show.
-bool hidden(const Tile& tile, int x, int y, float depth) {
-  for (int v = std::max(0, y - 1); v <= std::min(tile_samples - 1, y + 1); ++v) {
-    for (int u = std::max(0, x - 1); u <= std::min(tile_samples - 1, x + 1); ++u) {
-      if (tile.front.depth[Tile::at(u, v)] <= depth) return false;
-    }
-  }
-  return true;
-}
-
 // The dots of one level.
 class Stamps {
  public:
@@ -127,6 +117,8 @@ class Stamps {
   Rgb colour(FacetId f) const {
     return drawing_.facet_colours.empty() ? drawing_.plain : drawing_.facet_colours[f];
   }
+  bool hides(std::size_t sample, FacetId f, float depth) const;
+  bool hidden(FacetId f, int x, int y, float depth) const;
   void claim(FacetId& owner, FacetId f) const;
   void dot(FacetId f, int x, int y, std::vector<FacetId>& owner) const;
 
@@ -135,6 +127,23 @@ class Stamps {
   Tile& tile_;
   std::vector<FacetId> centre_ = std::vector<FacetId>(samples_in_tile, no_facet);
 };
+
+bool Stamps::hides(std::size_t sample, FacetId f, float depth) const {
+  const FacetId front = tile_.front.facet[sample];
+  if (front == no_facet || tile_.front.depth[sample] <= depth) return false;
+  // What is faint hides nothing that is emphasised.
+  return drawing_.emphasis.empty() || drawing_.emphasis[f] == 0 || drawing_.emphasis[front] != 0;
+}
+
+// Nothing within a sample lets it show.
+bool Stamps::hidden(FacetId f, int x, int y, float depth) const {
+  for (int v = std::max(0, y - 1); v <= std::min(tile_samples - 1, y + 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(tile_samples - 1, x + 1); ++u) {
+      if (!hides(Tile::at(u, v), f, depth)) return false;
+    }
+  }
+  return true;
+}
 
 // Where dots of one level meet, the colour decides, not the order of the facets.
 void Stamps::claim(FacetId& owner, FacetId f) const {
@@ -167,7 +176,7 @@ void Stamps::add(FacetId f, const std::vector<std::uint16_t>& around) {
     for (int x = std::max(0, clamped(low.x - 1)); x <= std::min(tile_samples - 1, clamped(high.x + 1)); ++x) {
       if (around[Tile::at(x, y)] >= enough || sliver.distance(x, y) > reach) continue;
       const auto depth = static_cast<float>(sliver.depth(x, y));
-      if (hidden(tile_, x, y, depth + head_start(drawing_.marked[f], depth))) continue;
+      if (hidden(f, x, y, depth + head_start(drawing_.marked[f], depth))) continue;
       claim(centre_[Tile::at(x, y)], f);
     }
   }

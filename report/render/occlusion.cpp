@@ -9,23 +9,30 @@
 namespace gabarit {
 namespace {
 
+constexpr int directions = 6;
+
 struct Offset {
   int x, y;
 };
 
+// Half of the pairs' ends: the other ends lie opposite.
 struct Ring {
   float radius;  // pixels
-  std::array<Offset, 4> halves;
+  std::array<Offset, directions> ends;
 };
 
-constexpr std::array rings{
-    Ring{2, {{{2, 0}, {0, 2}, {1, 1}, {1, -1}}}}, Ring{5, {{{5, 2}, {-2, 5}, {2, 5}, {5, -2}}}},
-    Ring{11, {{{11, 0}, {0, 11}, {8, 8}, {8, -8}}}}, Ring{24, {{{22, 9}, {-9, 22}, {9, 22}, {22, -9}}}}};
+// Turned against each other, so that what they shut off does not add up to visible copies of an edge.
+constexpr std::array rings{Ring{2, {{{2, 0}, {2, 1}, {1, 2}, {0, 2}, {-1, 2}, {-2, 1}}}},
+                           Ring{4, {{{4, 1}, {3, 3}, {1, 4}, {-1, 4}, {-3, 3}, {-4, 1}}}},
+                           Ring{7, {{{7, 0}, {6, 4}, {4, 6}, {0, 7}, {-4, 6}, {-6, 4}}}},
+                           Ring{11, {{{11, 2}, {8, 8}, {2, 11}, {-4, 10}, {-8, 8}, {-11, 2}}}},
+                           Ring{16, {{{16, 1}, {14, 8}, {7, 14}, {-1, 16}, {-8, 14}, {-14, 7}}}},
+                           Ring{23, {{{22, 7}, {16, 17}, {5, 22}, {-7, 22}, {-17, 16}, {-22, 6}}}}};
 
 // How much a pair shuts off, from how deep the pixel lies under it in units of the ring's radius.
 float shut_off(float depth) {
-  if (depth <= 0.04F) return 0;
-  return depth < 1 ? depth - 0.04F : std::max(0.0F, 0.96F - (depth - 1) / 2);
+  if (!(depth > 0.04F)) return 0;
+  return depth < 0.8F ? depth - 0.04F : std::max(0.0F, 0.76F - (depth - 0.8F) / 2);
 }
 
 float pair_depth(const Film& film, int x, int y, Offset o) {
@@ -41,16 +48,16 @@ float pair_depth(const Film& film, int x, int y, Offset o) {
 float openness(const Film& film, int x, int y) {
   float sum = 0;
   for (const Ring& ring : rings) {
-    for (const Offset& o : ring.halves) sum += shut_off(pair_depth(film, x, y, o) / ring.radius);
+    for (const Offset& o : ring.ends) sum += shut_off(pair_depth(film, x, y, o) / ring.radius);
   }
-  return 1 - std::min(0.6F, 1.6F * sum / (4 * rings.size()));
+  return 1 - std::min(0.6F, 1.9F * sum / (directions * rings.size()));
 }
 
 Rgb developed_pixel(const Film& film, int x, int y, bool occlusion) {
   const FilmPixel& pixel = film.at(x, y);
   float rest = 1;
-  if (occlusion && pixel.share > 0 && std::isfinite(pixel.depth)) {
-    rest -= (1 - openness(film, x, y)) * static_cast<float>(pixel.share) / 16;
+  if (occlusion && pixel.shaded > 0 && std::isfinite(pixel.depth)) {
+    rest -= (1 - openness(film, x, y)) * static_cast<float>(pixel.shaded) / 64;
   }
   return {channel_of(pixel.light.r * rest), channel_of(pixel.light.g * rest),
           channel_of(pixel.light.b * rest)};

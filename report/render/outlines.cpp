@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/render.h"
-
 namespace gabarit {
 namespace {
 
@@ -43,6 +41,8 @@ Ink between(const Tile& tile, std::size_t a, std::size_t b, bool down) {
   const FacetId f = tile.front.facet[a];
   const FacetId g = tile.front.facet[b];
   if (f == g) return {};
+  // Behind the faint skin nothing is outlined.
+  if (!tile.skin.empty() && (tile.skin[a] != no_facet || tile.skin[b] != no_facet)) return {};
   if (f == no_facet) return {0, silhouette_ink};
   if (g == no_facet) return {silhouette_ink, 0};
   const float dz = tile.front.depth[b] - tile.front.depth[a];
@@ -63,12 +63,12 @@ std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& ink, std::size
 }
 
 std::uint16_t inked(std::uint16_t light, float rest) {
-  return static_cast<std::uint16_t>(static_cast<float>(light) * rest + 0.5F);
+  return static_cast<std::uint16_t>(static_cast<float>(light) * rest);
 }
 
 }  // namespace
 
-void ink_outlines(const Facets& facets, Tile& tile) {
+void ink_outlines(Tile& tile) {
   std::vector<std::uint8_t> ink(samples_in_tile);
   const auto add = [&](std::size_t i, float amount) {
     ink[i] = std::max(ink[i], static_cast<std::uint8_t>(amount * 255.0F));
@@ -84,12 +84,10 @@ void ink_outlines(const Facets& facets, Tile& tile) {
     }
   }
   const std::vector<std::uint8_t> wide = spread(spread(ink, 1), tile_samples);
-  const Drawing& drawing = *facets.drawing;
   for (std::size_t i = 0; i < samples_in_tile; ++i) {
     if (wide[i] == 0) continue;
-    const FacetId f = tile.front.facet[i];
-    const bool faint = !drawing.emphasis.empty() && (f == no_facet || drawing.emphasis[f] == 0);
-    const float rest = 1 - static_cast<float>(wide[i]) / 255.0F * (faint ? 0.4F : 1.0F);
+    const bool bold = tile.cover[i] == Cover::facet || (tile.skin.empty() && tile.cover[i] == Cover::paper);
+    const float rest = 1 - static_cast<float>(wide[i]) / 255.0F * (bold ? 1.0F : 0.4F);
     Light& light = tile.light[i];
     light = {inked(light.r, rest), inked(light.g, rest), inked(light.b, rest)};
   }

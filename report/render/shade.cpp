@@ -19,7 +19,7 @@ constexpr Vec3f half_way{-0.222F, 0.314F, 0.923F};  // between the key light and
 
 // How bright a white facet with this normal (toward the eye) is, before the sheen.
 float brightness(const Vec3f& n) {
-  const float sky = 0.40F + 0.12F * n.y;
+  const float sky = 0.46F + 0.12F * n.y;
   const float key = 0.66F * std::max(0.0F, dot(n, key_light));
   const float fill = 0.16F * std::max(0.0F, dot(n, fill_light));
   const float grazing = (1 - n.z) * (1 - n.z) * (1 - n.z);
@@ -48,11 +48,15 @@ std::uint16_t channel(std::uint8_t base, float bright, float shine, float streng
   const float full = static_cast<float>(base) * static_cast<float>(base);
   const float lit = full * bright + (65025.0F - full * bright) * shine;
   const float faint = 65025.0F - (65025.0F - lit) * strength;
-  return static_cast<std::uint16_t>(std::clamp(faint, 0.0F, 65025.0F) + 0.5F);
+  return static_cast<std::uint16_t>(std::lround(std::clamp(faint, 0.0F, 65025.0F)));
 }
 
 std::int8_t packed(float component) {
   return static_cast<std::int8_t>(std::lround(std::clamp(component, -1.0F, 1.0F) * 127.0F));
+}
+
+bool is_faint(const Drawing& drawing, FacetId f) {
+  return !drawing.emphasis.empty() && drawing.emphasis[f] == 0;
 }
 
 Look look_of(const Facets& facets, FacetId f) {
@@ -60,7 +64,7 @@ Look look_of(const Facets& facets, FacetId f) {
   Vec3f n = facets.screen->page_direction(facet_normal(*drawing.mesh, f));
   if (n.z < 0) n = -n;
   if (n == Vec3f{}) n = {0, 0, 1};
-  const float strength = drawing.emphasis.empty() || drawing.emphasis[f] != 0 ? 1.0F : 0.35F;
+  const float strength = is_faint(drawing, f) ? 0.35F : 1.0F;
   const Rgb base = drawing.facet_colours.empty() ? drawing.plain : drawing.facet_colours[f];
   const float bright = std::min(brightness(n), most_brightness(base));
   const float shine = sheen(n) * paleness(base);
@@ -86,15 +90,17 @@ void shade(const Facets& facets, Tile& tile) {
   Look skin;
   for (std::size_t i = 0; i < samples_in_tile; ++i) {
     const FacetId f = tile.front.facet[i];
-    tile.cover[i] = f == no_facet ? Cover::paper : Cover::facet;
+    tile.cover[i] = Cover::paper;
     tile.light[i] = paper;
     if (f == no_facet) continue;
+    tile.cover[i] = is_faint(*facets.drawing, f) ? Cover::faint : Cover::facet;
     if (f != last) look = look_of(facets, f), last = f;
     tile.light[i] = look.light;
     tile.normal[i] = look.normal;
     if (tile.skin.empty() || tile.skin[i] == no_facet) continue;
     if (tile.skin[i] != last_skin) skin = look_of(facets, tile.skin[i]), last_skin = tile.skin[i];
     tile.light[i] = behind(look.light, skin.light);
+    tile.cover[i] = Cover::faint;
   }
 }
 

@@ -38,6 +38,7 @@ struct PageNormal {
 enum class Cover : std::uint8_t {
   paper,   // nothing
   facet,   // shaded, outlined and darkened in corners
+  faint,   // the same, but less: not emphasised, or behind something that is not
   symbol,  // a line or a mark: shown in its plain colour
 };
 

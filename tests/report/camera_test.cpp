@@ -6,6 +6,7 @@
 
 #include "report/scale_bar.h"
 #include "report/triad.h"
+#include "tests/shapes.h"
 
 namespace gabarit {
 namespace {
@@ -76,6 +77,28 @@ TEST(fixed_views, show_the_whole_box_at_the_aspect_asked_for_and_waste_little) {
       }
     }
   }
+}
+
+TEST(fixed_views, of_facets_come_closer_than_those_of_their_box) {
+  const TriangleMesh mesh = shapes::mesh(shapes::moved(shapes::sphere(50, 40, 80), {7, 8, 9}));
+  for (const View& view : fixed_views(mesh, {}, 1.6)) {
+    EXPECT_NEAR(view.camera.height, 1.08 * 100, 0.5) << view.name;
+    EXPECT_NEAR(length(view.camera.target - Vec3d{7, 8, 9}), 0, 0.2) << view.name;
+  }
+}
+
+TEST(fixed_views, of_facets_do_not_mind_what_is_not_finite_or_not_there) {
+  TriangleMesh mesh = shapes::mesh(shapes::box({-10, -10, -10}, {10, 10, 10}));
+  const auto views = fixed_views(mesh, {}, 1);
+  mesh.vertices.push_back({1e9, 1e9, 1e9});  // no facet uses it
+  mesh.vertices.push_back({NAN, 0, 0});
+  mesh.facets.push_back({0, 1, 9});
+  const auto others = fixed_views(mesh, {}, 1);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(others[i].camera.width, views[i].camera.width);
+    EXPECT_EQ(others[i].camera.target, views[i].camera.target);
+  }
+  EXPECT_EQ(fixed_views(TriangleMesh{}, {}, 1).size(), 8U);
 }
 
 TEST(fixed_views, of_nothing_or_a_point_or_the_whole_universe_are_still_views) {
