@@ -16,14 +16,16 @@ namespace gabarit {
 struct PdfLimits {
   std::size_t rules = 40;              // with pages of their own: those that need attention come first
   std::size_t findings_a_rule = 12;    // with a page of their own
-  std::size_t findings = 120;          // with a page of their own, over all rules
+  std::size_t findings = 60;           // with a page of their own, over all rules
   std::size_t table_rows = 1000;       // of the annex's table of findings
   std::size_t rule_file_lines = 1200;  // of each rule file in the annex
 };
 
 struct PdfOptions {
-  Device device = {};       // draws the pictures
-  double resolution = 220;  // of the pictures, dots an inch
+  Device device = {};  // draws the pictures
+  // Of the pictures, dots an inch; many pictures have fewer, so that together they keep to the megapixels
+  // (and the file to some 6 MB), but never under 80.
+  double resolution = 200, megapixels = 24;
   PdfLimits limits = {};
   // Where fonts are looked for; not given: see pdf::find_fonts.
   std::optional<std::vector<std::filesystem::path>> font_folders = {};

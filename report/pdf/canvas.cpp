@@ -96,12 +96,8 @@ void Canvas::frame(const Area& a, Rgb colour, double width) {
   HPDF_Page_Stroke(page_);
 }
 
-void Canvas::picture(const Area& a, const Picture& picture) {
-  const HPDF_Image image = HPDF_LoadRawImageFromMem(
-      document_->handle(), reinterpret_cast<const HPDF_BYTE*>(picture.pixels.data()),
-      static_cast<HPDF_UINT>(picture.width), static_cast<HPDF_UINT>(picture.height), HPDF_CS_DEVICE_RGB, 8);
-  document_->check();
-  HPDF_Page_DrawImage(page_, image, x(a.x), y(a.y + a.height), points(a.width), points(a.height));
+void Canvas::picture(const Area& a, HPDF_Image picture) {
+  HPDF_Page_DrawImage(page_, picture, x(a.x), y(a.y + a.height), points(a.width), points(a.height));
 }
 
 void Canvas::begin_clip(const Area& a) {

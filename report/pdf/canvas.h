@@ -37,7 +37,7 @@ class Canvas {
   void disk(Place centre, double radius, Rgb fill);
   void fill(const Area& area, Rgb colour);
   void frame(const Area& area, Rgb colour, double width = 0.2);
-  void picture(const Area& area, const Picture& picture);
+  void picture(const Area& area, HPDF_Image picture);
   // What `draw` draws stays within the area.
   template <class Draw>
   void clipped(const Area& area, const Draw& draw) {

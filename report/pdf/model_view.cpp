@@ -65,21 +65,25 @@ static void draw_triad(Canvas& canvas, const ModelView& view) {
   for (const TriadAxis& axis : triad(view.camera)) draw_axis(canvas, origin, 4.5, axis);
 }
 
-static int pixels(const Book& book, double mm) {
-  return std::max(8, static_cast<int>(std::lround(mm / 25.4 * book.options->resolution)));
+static HPDF_Image rendered(Book& book, const ModelView& view) {
+  const double dots_per_mm = view.share * book.resolution / 25.4;
+  const auto pixels = [&](double mm) { return std::max(8, static_cast<int>(std::lround(mm * dots_per_mm))); };
+  Drawing drawing;
+  drawing.mesh = &book.model().mesh;
+  drawing.facet_colours = view.colours;
+  drawing.lines = view.lines;
+  drawing.emphasis = view.emphasis;
+  return book.flow.document().add_picture(
+      render(drawing, view.camera, pixels(view.area.width), pixels(view.area.height), book.options->device));
 }
 
-void draw_view(Book& book, const ModelView& view, const std::string& caption) {
+HPDF_Image draw_view(Book& book, const ModelView& view, const std::string& caption) {
   Canvas& canvas = book.flow.canvas();
   const ScaleBar bar = scale_bar(view.camera);
+  HPDF_Image image = nullptr;
   if (!book.model().box.empty()) {
-    Drawing drawing;
-    drawing.mesh = &book.model().mesh;
-    drawing.facet_colours = view.colours;
-    drawing.lines = view.lines;
-    drawing.emphasis = view.emphasis;
-    canvas.picture(view.area, render(drawing, view.camera, pixels(book, view.area.width),
-                                     pixels(book, view.area.height), book.options->device));
+    image = view.image != nullptr ? view.image : rendered(book, view);
+    canvas.picture(view.area, image);
     draw_scale_bar(canvas, view, bar);
     draw_triad(canvas, view);
   }
@@ -87,6 +91,7 @@ void draw_view(Book& book, const ModelView& view, const std::string& caption) {
   const double width = (1 - bar.share) * view.area.width - canvas.width(bar.label, label_text) - 5;
   canvas.text({view.area.x, view.area.y + view.area.height + 3.6},
               fitted(book.flow.fonts(), caption, label_text, width), label_text);
+  return image;
 }
 
 Place on_page(const ModelView& view, const Vec3d& point) {

@@ -15,15 +15,24 @@ struct ModelView {
   std::span<const Rgb> colours;  // one a facet of the model
   std::span<const SceneLine> lines = {};
   std::span<const std::uint8_t> emphasis = {};  // see Drawing
+  double share = 1;                             // of the report's resolution
+  HPDF_Image image = nullptr;                   // drawn before with the same camera; null: drawn now
 };
 
-constexpr double caption_height = 5;  // mm below the picture
+// A fixed view whose picture is in the document.
+struct DrawnView {
+  View view;
+  HPDF_Image image = nullptr;
+};
+
+constexpr double caption_height = 5;       // mm below the picture
+constexpr double view_aspect = 82 / 48.5;  // of fixed views, wherever they are shown
 
 // The fixed views for pictures of a size, with a strip on the right that the triad has for itself.
 std::vector<View> views_for(const Area& area, const Box3d& box, const Frame& frame);
 
-// An empty frame when the model has no box. The caption and the scale bar stand below it.
-void draw_view(Book& book, const ModelView& view, const std::string& caption);
+// An empty frame (and null) when the model has no box. The caption and the scale bar stand below it.
+HPDF_Image draw_view(Book& book, const ModelView& view, const std::string& caption);
 
 // Where a point of the model lies on the page.
 Place on_page(const ModelView& view, const Vec3d& point);

@@ -15,7 +15,6 @@
 namespace gabarit::pdf {
 
 static void add_findings(Book& book, const RuleResult& result) {
-  if (result.verdict == Verdict::not_run || result.verdict == Verdict::not_applicable) return;
   book.flow.subheading("Findings, worst first");
   if (result.findings.empty()) {
     return book.flow.paragraph(fmt::format("None listed, of {} and {} examined.",
@@ -25,27 +24,21 @@ static void add_findings(Book& book, const RuleResult& result) {
   add_findings_table(book, result, 40);
 }
 
-// Of pages that single findings have left in this report.
-static std::size_t finding_pages(const Book& book, const RuleResult& result, std::size_t left) {
-  return std::min({result.findings.size(), book.options->limits.findings_a_rule, left});
-}
-
-static void add_chapter(Book& book, const RuleResult& result, std::size_t& pages_left) {
+static void add_chapter(Book& book, const RuleResult& result) {
   add_method_page(book, result);
-  if (result.verdict == Verdict::not_run || result.verdict == Verdict::not_applicable) return;
+  if (!has_pictures(result.verdict)) return;
   const Colouring colours = colouring(book.model().mesh, result);
-  add_views_page(book, result, colours);
+  const std::vector<DrawnView> views = add_views_page(book, result, colours);
   book.flow.begin_page("Rule " + result.rule.id);
   add_histogram(book, result);
   add_findings(book, result);
-  const std::size_t pages = finding_pages(book, result, pages_left);
-  for (std::size_t i = 0; i < pages; ++i) add_finding_page(book, result, result.findings[i], colours);
-  pages_left -= pages;
+  for (std::size_t i = 0; i < book.finding_pages(result); ++i) {
+    add_finding_page(book, result, result.findings[i], colours, views);
+  }
 }
 
 void add_rule_pages(Book& book) {
-  std::size_t pages_left = book.options->limits.findings;
-  for (const RuleResult* result : book.with_pages) add_chapter(book, *result, pages_left);
+  for (const RuleResult* result : book.with_pages) add_chapter(book, *result);
 }
 
 }  // namespace gabarit::pdf

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "report/pdf/legend.h"
-#include "report/pdf/model_view.h"
 
 namespace gabarit::pdf {
 
 namespace {
 
-constexpr double gap = 6, picture_width = (content_width - gap) / 2, picture_height = 48.5;
+constexpr double gap = 6, picture_width = (content_width - gap) / 2,
+                 picture_height = picture_width / view_aspect;
 
 // The probe's paths, such as that of a column's axis.
 std::vector<SceneLine> trace_lines(const Region& region) {
@@ -52,22 +52,25 @@ std::string caption_of(const View& view, const std::vector<SceneLine>& lines, co
 
 }  // namespace
 
-void add_views_page(Book& book, const RuleResult& result, const Colouring& colouring) {
+std::vector<DrawnView> add_views_page(Book& book, const RuleResult& result, const Colouring& colouring) {
   Flow& flow = book.flow;
   flow.begin_page("Rule " + result.rule.id);
   flow.subheading("Views of the whole model");
   draw_legend(book, result, colouring);
   const std::vector<SceneLine> lines = trace_lines(result.region);
   const std::vector<View> views = views_with_traces(book, result);
+  std::vector<DrawnView> drawn;
   const double top = flow.y() + 1;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const double x = margin_left + static_cast<double>(i % 2) * (picture_width + gap);
     const double y = top + static_cast<double>(i / 2) * (picture_height + caption_height + 1.5);
     ModelView view{{x, y, picture_width, picture_height}, views[i].camera, colouring.facets};
     if (views[i].name == "top") view.lines = lines;
-    draw_view(book, view, caption_of(views[i], lines, result));
+    const HPDF_Image image = draw_view(book, view, caption_of(views[i], lines, result));
+    drawn.push_back({views[i], image});
   }
   flow.move_to(top + 4 * (picture_height + caption_height + 1.5));
+  return drawn;
 }
 
 }  // namespace gabarit::pdf

@@ -3,10 +3,12 @@
 
 #include "report/pdf/book.h"
 #include "report/pdf/colouring.h"
+#include "report/pdf/model_view.h"
 
 namespace gabarit::pdf {
 
-// One page: eight fixed views, each with scale bar and triad, and the legend.
-void add_views_page(Book& book, const RuleResult& result, const Colouring& colouring);
+// One page: eight fixed views, each with scale bar and triad, and the legend. The pictures may be shown
+// again.
+std::vector<DrawnView> add_views_page(Book& book, const RuleResult& result, const Colouring& colouring);
 
 }  // namespace gabarit::pdf

@@ -120,9 +120,9 @@ void draw_radius(const Sketch& s) {
 void draw_thickness(const Sketch& s) {
   std::vector<Place> outline;
   const Place centre = s.at(0.5, -1.3);
-  add_arc(outline, centre, s.mm(2.1), 0.66 * pi, 0.34 * pi);
+  add_arc(outline, centre, s.mm(2.1), 0.6 * pi, 0.4 * pi);
   std::vector<Place> inner;
-  add_arc(inner, centre, s.mm(1.66), 0.34 * pi, 0.66 * pi);
+  add_arc(inner, centre, s.mm(1.66), 0.4 * pi, 0.6 * pi);
   outline.insert(outline.end(), inner.begin(), inner.end());
   s.part(outline);
   const Place ball{centre.x, centre.y - s.mm(1.88)};
