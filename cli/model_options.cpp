@@ -12,7 +12,7 @@
 namespace gabarit {
 
 void ModelOptions::add_file_to(CLI::App& command) {
-  command.add_option("MODEL", file, "STL, OBJ, PLY or OFF file")->required()->type_name("");
+  command.add_option("MODEL", file, "STL, OBJ, PLY, OFF, STEP or IGES file")->required()->type_name("");
 }
 
 void ModelOptions::add_options_to(CLI::App& command) {

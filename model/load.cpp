@@ -9,6 +9,7 @@
 #include "model/load_obj.h"
 #include "model/load_off.h"
 #include "model/load_ply.h"
+#include "model/load_step.h"
 #include "model/load_stl.h"
 #include "model/mapped_file.h"
 #include "model/sha256.h"
@@ -36,14 +37,18 @@ std::string ending_of_content(std::string_view bytes) {
   return begins_as_ascii_stl(bytes.substr(0, 4096)) ? ".stl" : "";
 }
 
+bool is_step(const std::string& ending) { return ending == ".step" || ending == ".stp" || ending == ".p21"; }
+bool is_iges(const std::string& ending) { return ending == ".iges" || ending == ".igs"; }
 bool can_be_read(const std::string& ending) {
-  return ending == ".stl" || ending == ".obj" || ending == ".ply" || ending == ".off";
+  return ending == ".stl" || ending == ".obj" || ending == ".ply" || ending == ".off" || is_step(ending) ||
+         is_iges(ending);
 }
 
 // The ending to read by. A name that says something else than the content is worth a warning.
 std::string ending_to_read(const std::filesystem::path& file, std::string_view bytes, Model& model) {
   const std::string named = lower_ending(file);
   const std::string found = ending_of_content(bytes);
+  if (found == ".step" && is_step(named)) return named;
   if (found.empty() || found == named || (!can_be_read(named) && !named.empty())) return named;
   model.warnings.push_back(
       {.level = Diagnostic::Level::warning,
@@ -57,12 +62,16 @@ Diagnostics unreadable(const std::string& name, const std::string& ending) {
                                           : fmt::format("'{}' files cannot be read by this version", ending);
   const bool packed = ending == ".gz" || ending == ".zip";
   return {{.file = name,
-           .message = fmt::format("{}; it reads .stl, .obj, .ply and .off: {}", what,
+           .message = fmt::format("{}; it reads .stl, .obj, .ply, .off, .step and .iges: {}", what,
                                   packed ? "unpack it first" : "export the model as one of them")}};
 }
 
-Diagnostics read_by_ending(const std::string& name, std::string_view bytes, const std::string& ending,
-                           double scale, Model& model) {
+Diagnostics read_by_ending(const std::filesystem::path& file, std::string_view bytes,
+                           const std::string& ending, const LoadOptions& options, Model& model) {
+  const std::string name = file.string();
+  const double scale = millimetres(model.unit);
+  if (is_step(ending)) return load_step(file, bytes, options, model);
+  if (is_iges(ending)) return load_iges(file, bytes, options, model);
   if (ending == ".obj") return load_obj(bytes, name, scale, model);
   if (ending == ".ply") return load_ply(bytes, name, scale, model);
   if (ending == ".off") return load_off(bytes, name, scale, model);
@@ -165,8 +174,7 @@ Result<Model> load(const std::filesystem::path& file, const LoadOptions& options
   HashTask hash(mapped->bytes(), options.threads != 1);
   progress("reading", 0);
   const std::string ending = ending_to_read(file, *bytes, model);
-  if (Diagnostics errors = read_by_ending(name, *bytes, ending, millimetres(model.unit), model);
-      !errors.empty())
+  if (Diagnostics errors = read_by_ending(file, *bytes, ending, options, model); !errors.empty())
     return errors;
   model.box = bounding_box(model.mesh);
   progress("counting defects", 0.7);
