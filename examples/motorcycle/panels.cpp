@@ -58,7 +58,7 @@ Surface headlight() {
 }  // namespace
 
 void add_panels(Parts& parts) {
-  add_pair(parts, {"side fairing", Expectation::out_of_reach, 5, "edge", {side_fairing()}});
+  add_pair(parts, {"side fairing", Expectation::out_of_reach, 4.5, "edge", {side_fairing()}});
   parts.push_back({"screen", Expectation::out_of_reach, 1, "edge", {screen()}});
   add_pair(parts, {"headlight", Expectation::round, 5.2, "edge", {headlight()}});
 }
