@@ -9,7 +9,7 @@ namespace {
 std::vector<Surface> peg() {
   const Path rod({{{822, 168, 342}}, {{830, 312, 348}}}, {0, 0, 1});
   const Path arm({{{856, 150, 470}}, {{830, 186, 344}}}, {0, 1, 0});
-  return {tube(rod, 13, {.last = 8}), swept(arm, Outline::rectangle(14, 44, 6), 5)};
+  return {tube(rod, 13, {.last = 13}), swept(arm, Outline::rectangle(14, 44, 6), 5)};
 }
 
 Surface heel_guard() {
@@ -17,11 +17,11 @@ Surface heel_guard() {
   return plate(outline, 3, 0, {}, stand({890, 172, 400}, {0, 1, 0}, {1, 0, 0}));
 }
 
-// The toe piece: a rubber of radius 7 whose outer edge is rounded by 3.5.
+// The toe piece is a rod of radius 3.5 with a hemispherical end.
 std::vector<Surface> gear_lever() {
   const Path arm({{{800, -176, 320}}, {{722, -200, 316}, 20}, {{704, -206, 330}}}, {0, 0, 1});
   const Path toe({{{710, -194, 326}}, {{706, -300, 330}}}, {0, 0, 1});
-  return {tube(arm, 6, {.first = 4, .last = 4}), tube(toe, 8, {.first = 3, .last = 3.5})};
+  return {tube(arm, 6, {.first = 4, .last = 4}), tube(toe, 3.5, {.first = 3.5, .last = 3.5})};
 }
 
 std::vector<Surface> brake_pedal() {
@@ -48,9 +48,9 @@ Surface guard() {
 }  // namespace
 
 void add_footrests(Parts& parts) {
-  add_pair(parts, {"foot peg", Expectation::round, 8, "outer edge", peg()});
+  add_pair(parts, {"foot peg", Expectation::round, 13, "outer end", peg()});
   add_pair(parts, {"heel guard", Expectation::out_of_reach, 0, "edges, sharp", {heel_guard()}});
-  parts.push_back({"gear lever", Expectation::violates, 3.5, "outer edge of the toe piece", gear_lever()});
+  parts.push_back({"gear lever", Expectation::violates, 3.5, "outer end of the toe piece", gear_lever()});
   parts.push_back({"brake pedal", Expectation::violates, 1.5, "edge of the pad", brake_pedal()});
   parts.push_back({"side stand", Expectation::violates, 0, "foot, sharp plate", side_stand()});
   add_pair(parts, {"engine guard", Expectation::rear_facing, 13, "tube", {guard()}});

@@ -53,7 +53,7 @@ Surface mudguard() {
                                            {-150, 102, 70},
                                            {-235, 36, 30}});
   const Placement around = stand({0, 0, front_wheel_radius}, {0, 0, 1}, {1, 0, 0});
-  return plate(outline, 10, 5, {}, placed(barrel(front_wheel_radius + 14, 86), around));
+  return plate(outline, 13, 6.5, {}, placed(barrel(front_wheel_radius + 14, 86), around));
 }
 
 Surface mudguard_stay() {
@@ -78,7 +78,7 @@ void add_front_end(Parts& parts) {
                    "edges",
                    {triple_clamp(470, 36), triple_clamp(620, 28)}});
   add_pair(parts, {"front caliper", Expectation::out_of_reach, 2, "bolt", caliper()});
-  parts.push_back({"front mudguard", Expectation::round, 4.6, "edge", {mudguard()}});
+  parts.push_back({"front mudguard", Expectation::round, 5.8, "edge", {mudguard()}});
   add_pair(parts, {"mudguard stay", Expectation::out_of_reach, 0, "edges, sharp", {mudguard_stay()}});
 }
 

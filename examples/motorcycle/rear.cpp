@@ -13,13 +13,13 @@ Placement on_the_right(const Vec3d& origin, const Vec3d& outward = {0, 1, 0}) {
 
 std::vector<Surface> pannier() {
   const Outline shell = Outline::closed(
-      {{235, 150, 60}, {-235, 175, 50}, {-245, -110, 90}, {-120, -185, 110}, {200, -165, 70}});
+      {{235, 150, 90}, {-235, 175, 90}, {-245, -110, 110}, {-120, -185, 120}, {200, -165, 100}});
   const Outline band = Outline::closed(
-      {{241, 156, 60}, {-241, 181, 50}, {-251, -113, 90}, {-121, -191, 110}, {205, -171, 70}});
+      {{241, 156, 90}, {-241, 181, 90}, {-251, -113, 110}, {-121, -191, 120}, {205, -171, 100}});
   const Outline latch = Outline::rectangle(90, 34, 12);
   return {plate(shell, 262, 45, {}, on_the_right({1325, 238, 645})),
           plate(band, 16, 6, {}, on_the_right({1325, 330, 645})),
-          plate(latch, 22, 8, {}, on_the_right({1325, 330 - 4, 645 + 165}, {0, 0.35, 1}))};
+          plate(latch, 22, 8, {}, on_the_right({1325, 326, 810}, {0, 0.35, 1}))};
 }
 
 std::vector<Surface> bracket() {
