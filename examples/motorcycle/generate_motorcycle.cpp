@@ -1,6 +1,8 @@
 // The program that writes the example motorcycle: generate_motorcycle --out FILE.stl
+#include <cmath>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,6 +19,9 @@ struct Options {
 };
 
 static void generate(const Options& options) {
+  // A range lets NaN pass.
+  if (std::isnan(options.tessellation.step) || std::isnan(options.tessellation.sag))
+    throw std::invalid_argument("the step and the sag must be numbers");
   Parts all = parts();
   const std::vector<Grid> lines = grids(all, options.tessellation);
   OutputFile file(options.out);
@@ -41,7 +46,14 @@ static int run(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--parts", options.parts, "Also write the list of parts and what the check must find")
       ->type_name("FILE.json");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "error: %s\nSee generate_motorcycle --help.\n", error.what());
+    return 2;
+  }
   generate(options);
   return 0;
 }
