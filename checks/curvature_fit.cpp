@@ -51,7 +51,7 @@ std::array<double, 3> solve_linear(const Matrix3& a, const std::array<double, 3>
   return x;
 }
 
-constexpr double usual_misfit = 0.02;  // of an equation, as a share of the curvature
+constexpr double usual_misfit = 0.01;  // of an equation, as a share of the curvature
 constexpr std::size_t most_equations = 48;
 
 class Equations {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "checks/orientation.h"
 #include "checks/slivers.h"
+#include "checks/surroundings.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -13,30 +13,6 @@ namespace gabarit {
 namespace {
 
 constexpr std::int64_t grain = 2048;
-
-// The whole mesh's adjacency is worth building when a good part of the mesh is asked about.
-bool is_large(std::size_t asked, const TriangleMesh& mesh) { return asked > mesh.facet_count() / 8; }
-
-std::vector<FacetId> flagged(const std::vector<bool>& flags) {
-  std::vector<FacetId> facets;
-  for (FacetId f = 0; f < flags.size(); ++f) {
-    if (flags[f]) facets.push_back(f);
-  }
-  return facets;
-}
-
-// Adds the facets that share a vertex with those flagged.
-void add_ring(const TriangleMesh& mesh, std::vector<bool>& facets) {
-  std::vector<bool> vertices(mesh.vertices.size());
-  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
-    if (!facets[f]) continue;
-    for (const VertexId v : mesh.facets[f]) vertices[v] = true;
-  }
-  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
-    const auto& [a, b, c] = mesh.facets[f];
-    if (vertices[a] || vertices[b] || vertices[c]) facets[f] = true;
-  }
-}
 
 double rounding(const FacetEdge& e) {
   return std::max({coordinate_rounding(e.from), coordinate_rounding(e.to), coordinate_rounding(e.apex)});
@@ -85,37 +61,11 @@ FacetEdge facet_edge(const TriangleMesh& mesh, FacetId f, int edge) {
 }
 
 Folds::Folds(const Scene& scene, std::span<const FacetId> facets, int rings, double sag) {
-  const TriangleMesh& mesh = scene.mesh();
-  row_.assign(mesh.facet_count(), 0);
-  std::vector<bool> near(mesh.facet_count());
-  for (const FacetId f : facets) near[f] = true;
-  if (is_large(facets.size(), mesh)) {
-    near.assign(mesh.facet_count(), true);
-    facets_ = flagged(near);
-    fill(scene, scene.adjacency());
-  } else {
-    for (int i = 0; i < rings; ++i) add_ring(mesh, near);
-    // Beyond a T-junction lie neighbours that have no vertex in common: until nothing is missing.
-    for (std::size_t missing = 1; missing > 0;) {
-      facets_ = flagged(near);
-      const Adjacency adjacency(mesh, facets_);
-      std::vector<FacetId> reached(facets.begin(), facets.end());
-      std::vector<bool> seen(mesh.facet_count());
-      for (const FacetId f : reached) seen[f] = true;
-      missing = 0;
-      for (int ring = 0; ring < rings; ++ring) {
-        std::vector<FacetId> next;
-        for (const FacetId f : reached) {
-          for (const EdgeNeighbour& n : adjacency.of(f)) {
-            if (!near[n.facet]) near[n.facet] = true, ++missing;
-            if (!seen[n.facet]) seen[n.facet] = true, next.push_back(n.facet);
-          }
-        }
-        reached = std::move(next);
-      }
-      if (missing == 0) fill(scene, adjacency);
-    }
-  }
+  Surroundings around = surroundings(scene, facets, rings);
+  facets_ = std::move(around.facets);
+  row_.assign(scene.mesh().facet_count(), 0);
+  inside_out_ = inside_out_bodies(scene.mesh(), scene.device());
+  fill(scene, *around.adjacency);
   find_rims(scene, sag);
 }
 
@@ -132,7 +82,6 @@ void Folds::fill(const Scene& scene, const Adjacency& adjacency) {
   parallel_for_cpu(scene.device(), count, count_them, grain);
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   folds_.resize(first_.back());
-  inside_out_ = inside_out_bodies(mesh);
   const auto looks_inwards = [&](std::uint32_t body) {
     return std::binary_search(inside_out_.begin(), inside_out_.end(), body);
   };
@@ -186,19 +135,20 @@ void Folds::find_rims(const Scene& scene, double sag) {
 }
 
 std::vector<FacetId> Folds::within(std::span<const FacetId> facets, int rings) const {
+  std::vector<FacetId> found(facets.begin(), facets.end());
   std::vector<bool> seen(row_.size());
   for (const FacetId f : facets) seen[f] = true;
-  std::vector<FacetId> last(facets.begin(), facets.end());
+  std::size_t begin = 0;
   for (int ring = 0; ring < rings; ++ring) {
-    std::vector<FacetId> next;
-    for (const FacetId f : last) {
-      for (const Fold& n : of(f)) {
-        if (!seen[n.facet]) seen[n.facet] = true, next.push_back(n.facet);
+    const std::size_t end = found.size();
+    for (; begin < end; ++begin) {
+      for (const Fold& n : of(found[begin])) {
+        if (!seen[n.facet]) seen[n.facet] = true, found.push_back(n.facet);
       }
     }
-    last = std::move(next);
   }
-  return flagged(seen);
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace gabarit

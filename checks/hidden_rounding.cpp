@@ -10,9 +10,9 @@ namespace gabarit {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double straight = 0.01;   // rad: folds that turn by less do not end a leg
-constexpr double longest_leg = 20;  // mm
-constexpr int most_facets_of_leg = 64;
+constexpr double straight = 0.01;      // rad: folds that turn by less do not end a leg
+constexpr double longest_leg = 20;     // mm
+constexpr int most_facets_of_leg = 5;  // no more than the folds around a region know
 
 // By how much a leg can lean away from the tangent of the rounding at its corner, rad.
 double most_lean(const Leg& leg, double r, double sag) {

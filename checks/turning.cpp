@@ -24,7 +24,7 @@ constexpr std::int64_t grain = 512;
 constexpr double degree = std::numbers::pi / 180;
 
 // Of a curvature: what second order leaves out, measured on roundings of one radius.
-constexpr double model_error = 0.03;
+constexpr double model_error = 0.01;
 // A fit whose edges disagree by more than this share of the curvature has no single curvature to tell.
 constexpr double most_doubt = 0.2;
 // 1/mm: a surface this flat is a plane.
