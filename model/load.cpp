@@ -46,8 +46,8 @@ bool can_be_read(const std::string& ending) {
 
 // The ending to read by. A name that says something else than the content is worth a warning.
 std::string ending_to_read(const std::filesystem::path& file, std::string_view bytes, Model& model) {
-  const std::string named = lower_ending(file);
-  const std::string found = ending_of_content(bytes);
+  std::string named = lower_ending(file);
+  std::string found = ending_of_content(bytes);
   if (found == ".step" && is_step(named)) return named;
   if (found.empty() || found == named || (!can_be_read(named) && !named.empty())) return named;
   model.warnings.push_back(

@@ -127,7 +127,8 @@ TEST_F(info_command, a_full_disk_behind_standard_output_is_said) {
 }
 
 TEST_F(info_command, draws_no_progress_into_a_file) {
-  const Ending run = run_gabarit({"info", (folder_ / "part.stl").string()}, {.variables = {"TERM=xterm"}});
+  const Ending run =
+      run_gabarit({"info", (folder_ / "part.stl").string()}, {.through = {"env", "TERM=xterm"}});
   EXPECT_EQ(run.err.find('\r'), std::string::npos);
 }
 

@@ -20,10 +20,7 @@ Ending run_gabarit(const std::vector<std::string>& arguments, const RunOptions& 
   std::string script = "cd \"$1\" || exit 126; out=$2; err=$3; shift 3; " + options.before;
   script += "\nexec \"$@\" >\"$out\" 2>\"$err\" </dev/null";
   std::vector<std::string> words{"/bin/sh", "-c", script, "sh", options.folder, out, err};
-  if (!options.variables.empty()) {
-    words.emplace_back("/usr/bin/env");
-    words.insert(words.end(), options.variables.begin(), options.variables.end());
-  }
+  words.insert(words.end(), options.through.begin(), options.through.end());
   words.emplace_back(GABARIT_PROGRAM);
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;

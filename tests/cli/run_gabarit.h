@@ -13,10 +13,10 @@ struct Ending {
 };
 
 struct RunOptions {
-  std::string folder = ".";                 // to run in
-  std::string before = {};                  // shell commands in front, such as "ulimit -f 8"
-  std::string out_to = {};                  // a file for standard output instead of `out`
-  std::vector<std::string> variables = {};  // of the environment, such as "NO_COLOR=1"
+  std::string folder = ".";               // to run in
+  std::string before = {};                // shell commands in front, such as "ulimit -f 8"
+  std::string out_to = {};                // a file for standard output instead of `out`
+  std::vector<std::string> through = {};  // a command that runs it, such as {"env", "TERM=xterm"}
 };
 
 Ending run_gabarit(const std::vector<std::string>& arguments, const RunOptions& options = {});
