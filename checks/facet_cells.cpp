@@ -12,8 +12,11 @@ namespace gabarit {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// A value this near to the bound is settled, as a share of it.
-constexpr double settled = 1e-3;
+// A value this near to its bound is settled, as a share of it; where the surface is curved the bound stays
+// behind, however small the cell.
+constexpr double settled_on_planes = 1e-3, settled_on_curves = 0.05;
+// Cells smaller than this share of the value tell nothing new.
+constexpr double fine_enough = 1.0 / 16;
 constexpr std::size_t block = 1 << 17;
 constexpr std::size_t most_cuts = 4'000'000;
 
@@ -102,7 +105,7 @@ class CellMeasurement {
       for (std::size_t i = 0; i < cells.size(); ++i) keep_value(cells[i].row, queries[i], answers[i]);
       std::vector<Cell> halves;
       for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (is_settled(cells[i], answers[i]))
+        if (is_settled(cells[i], queries[i], answers[i]))
           keep_bounds(cells[i].row, answers[i]);
         else
           cut(cells[i], halves);
@@ -154,12 +157,16 @@ class CellMeasurement {
     field_.contact[row] = answer.contact;
   }
 
-  bool is_settled(const Cell& cell, const CellAnswer& answer) {
-    if (field_.absence[cell.row] != Absence::none || longest_side(cell).second <= options_.step) return true;
-    const double value = field_.value[cell.row];
-    const bool known =
-        smallest() ? answer.lower >= value * (1 - settled) : answer.greatest <= value * (1 + settled);
-    if (known && !options_.exhaustive) return true;
+  bool is_settled(const Cell& cell, const CellQuery& query, const CellAnswer& answer) {
+    const double side = longest_side(cell).second;
+    if (field_.absence[cell.row] != Absence::none || side <= options_.step) return true;
+    if (!options_.exhaustive) {
+      const double value = field_.value[cell.row];
+      const double near = query.tilt > 0 ? settled_on_curves : settled_on_planes;
+      const bool known =
+          smallest() ? answer.lower >= value * (1 - near) : answer.greatest <= value * (1 + near);
+      if (known || side <= fine_enough * value) return true;
+    }
     if (cuts_ >= most_cuts) return cut_off_ = true;
     ++cuts_;
     return false;

@@ -101,7 +101,7 @@ class SphereLowerBound {
   }
 
   GABARIT_HD void visit_feature(const Primitive& p, const Vec3d& a, const Vec3d& b) {
-    if (!ahead(a) && !ahead(b)) return;
+    if ((!ahead(a) && !ahead(b)) || !can_be_touched_across(b - a)) return;
     const double s = static_cast<double>(p.sag) + sag_;
     const double ha = dot(query_.direction, a), hb = dot(query_.direction, b);
     const double shallow = ha < hb ? ha : hb, deep = ha < hb ? hb : ha;
@@ -114,6 +114,14 @@ class SphereLowerBound {
     if (bound >= least_ || !can_leave(p.corner[2])) return;
     if (bound > 0 && deep / bound - 1 < -options_.cos_separation - 1e-6) return;
     record(by_depth, low);
+  }
+
+  // Inside an edge a ball touches across it: too steep an edge cannot turn its contact away far enough.
+  GABARIT_HD bool can_be_touched_across(const Vec3d& edge) const {
+    const double along = dot(edge, query_.direction), squared = squared_length(edge);
+    if (!(squared > 0)) return true;
+    const double rest = 1 - along * along / squared;
+    return std::sqrt(rest > 0 ? rest : 0.0) >= -options_.cos_separation - tilt_ - 1e-6;
   }
 
   // Whether each direction of the fan leaves some ball that turns away far enough and lies straight below or
