@@ -1,5 +1,6 @@
 #include "gpu/bvh.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "gpu/bvh_build.h"
@@ -28,8 +29,9 @@ std::vector<BoxedPrimitive> boxed(const Device& device, const Surface& surface, 
         Box3d box;
         for (int c = 0; c < corners(p); ++c)
           box.add(surface.points[p.corner[static_cast<std::size_t>(c)]] - origin);
-        boxes[k].box.min = {round_down(box.min.x), round_down(box.min.y), round_down(box.min.z)};
-        boxes[k].box.max = {round_up(box.max.x), round_up(box.max.y), round_up(box.max.z)};
+        const auto s = static_cast<double>(p.sag);
+        boxes[k].box.min = {round_down(box.min.x - s), round_down(box.min.y - s), round_down(box.min.z - s)};
+        boxes[k].box.max = {round_up(box.max.x + s), round_up(box.max.y + s), round_up(box.max.z + s)};
         boxes[k].primitive = static_cast<std::uint32_t>(i);
       },
       16384);
@@ -74,7 +76,10 @@ Bvh::Bvh(const Device& device, Surface surface) : device_(device) {
   renumber_points(surface);
   add_cones(device, surface, origin_, tree);
   order_.reserve(surface.primitives.size());
-  for (const Primitive& p : surface.primitives) order_.push_back(p.id);
+  for (const Primitive& p : surface.primitives) {
+    order_.push_back(p.id);
+    greatest_sag_ = std::max(greatest_sag_, p.sag);
+  }
   nodes_ = {device, std::move(tree.nodes)};
   primitives_ = {device, std::move(surface.primitives)};
   points_ = {device, std::move(surface.points)};
@@ -85,7 +90,7 @@ Bvh::Bvh(const Device& device, Surface surface) : device_(device) {
 BvhView Bvh::view() const {
   return {
       nodes_.view(), primitives_.view(), points_.view(), fan_first_.view(), fan_directions_.view(), origin_,
-      reach_};
+      reach_,        greatest_sag_};
 }
 
 std::size_t Bvh::bytes() const {

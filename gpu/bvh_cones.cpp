@@ -34,7 +34,7 @@ Cone cone_around(const Surface& surface, std::span<const Primitive> primitives, 
   double cosine = 1;
   for (const Primitive& p : primitives) {
     for (std::size_t i = 0; i < (p.is_facet() ? 3U : 2U); ++i)
-      least = std::min(least, dot(axis, surface.points[p.corner[i]] - origin));
+      least = std::min(least, dot(axis, surface.points[p.corner[i]] - origin) - static_cast<double>(p.sag));
     cosine = p.is_facet() ? std::min(cosine, dot(axis, to_double(p.normal))) : -1;
   }
   cone.offset = round_down(least);
