@@ -25,7 +25,7 @@ constexpr VertexId no_vertex = 0xffffffffU;
 
 class Features {
  public:
-  Features(Surface& surface, const TriangleMesh& mesh, const std::vector<float>& sag, Side side)
+  Features(FacetSurface& surface, const TriangleMesh& mesh, const std::vector<float>& sag, Side side)
       : surface_(surface),
         mesh_(mesh),
         sag_(sag),
@@ -94,7 +94,7 @@ class Features {
     return static_cast<std::uint32_t>(surface_.fan_first.size() - 2);
   }
 
-  Surface& surface_;
+  FacetSurface& surface_;
   const TriangleMesh& mesh_;
   const std::vector<float>& sag_;
   Side side_;
@@ -105,7 +105,7 @@ class Features {
 
 }  // namespace
 
-void add_features(Surface& surface, const TriangleMesh& mesh, const Adjacency& adjacency,
+void add_features(FacetSurface& surface, const TriangleMesh& mesh, const Adjacency& adjacency,
                   const std::vector<float>& sag, Side side) {
   Features features(surface, mesh, sag, side);
   for (FacetId f = 0; f < mesh.facet_count(); ++f) {

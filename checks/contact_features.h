@@ -8,7 +8,7 @@ namespace gabarit {
 
 // Adds edges whose facets bend by more than 8 degrees towards the ball, and the vertices at their ends, after
 // the facets of `surface`. Flatter ones say nothing that their facets do not say.
-void add_features(Surface& surface, const TriangleMesh& mesh, const Adjacency& adjacency,
+void add_features(FacetSurface& surface, const TriangleMesh& mesh, const Adjacency& adjacency,
                   const std::vector<float>& sag, Side side);
 
 }  // namespace gabarit

@@ -15,8 +15,8 @@ Vec3f to_float(const Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-Surface facets_of(const TriangleMesh& mesh, const std::vector<float>& sag, Side side) {
-  Surface surface;
+FacetSurface facets_of(const TriangleMesh& mesh, const std::vector<float>& sag, Side side) {
+  FacetSurface surface;
   surface.points = mesh.vertices;
   surface.primitives.reserve(mesh.facet_count());
   for (FacetId f = 0; f < mesh.facet_count(); ++f) {
@@ -47,7 +47,7 @@ bool is_closed(const TriangleMesh& mesh, const Adjacency& adjacency) {
 ContactSurface contact_surface(const TriangleMesh& mesh, const Adjacency& adjacency,
                                const SurfaceOptions& options, const Device& device) {
   std::vector<float> sag = local_sag(mesh, adjacency, options.crease, options.sag);
-  Surface surface = facets_of(mesh, sag, options.side);
+  FacetSurface surface = facets_of(mesh, sag, options.side);
   add_features(surface, mesh, adjacency, sag, options.side);
   return {Bvh(device, std::move(surface)), smooth_normals(mesh, options.crease, device), std::move(sag),
           length(bounding_box(mesh).extent()), is_closed(mesh, adjacency)};

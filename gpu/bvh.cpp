@@ -11,7 +11,7 @@ namespace {
 
 int corners(const Primitive& p) { return p.is_facet() ? 3 : 2; }
 
-Box3d bounds(const Surface& surface) {
+Box3d bounds(const FacetSurface& surface) {
   Box3d box;
   for (const Primitive& p : surface.primitives) {
     for (int i = 0; i < corners(p); ++i) box.add(surface.points[p.corner[static_cast<std::size_t>(i)]]);
@@ -19,7 +19,7 @@ Box3d bounds(const Surface& surface) {
   return box;
 }
 
-std::vector<BoxedPrimitive> boxed(const Device& device, const Surface& surface, const Vec3d& origin) {
+std::vector<BoxedPrimitive> boxed(const Device& device, const FacetSurface& surface, const Vec3d& origin) {
   std::vector<BoxedPrimitive> boxes(surface.primitives.size());
   parallel_for_cpu(
       device, static_cast<std::int64_t>(boxes.size()),
@@ -38,14 +38,14 @@ std::vector<BoxedPrimitive> boxed(const Device& device, const Surface& surface, 
   return boxes;
 }
 
-void reorder(Surface& surface, const std::vector<BoxedPrimitive>& order) {
+void reorder(FacetSurface& surface, const std::vector<BoxedPrimitive>& order) {
   std::vector<Primitive> sorted(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = surface.primitives[order[i].primitive];
   surface.primitives = std::move(sorted);
 }
 
 // Numbers the points in the order in which the tree meets them: neighbours share cache lines.
-void renumber_points(Surface& surface) {
+void renumber_points(FacetSurface& surface) {
   constexpr std::uint32_t unset = 0xffffffffU;
   std::vector<std::uint32_t> number(surface.points.size(), unset);
   std::vector<Vec3d> points;
@@ -63,7 +63,7 @@ void renumber_points(Surface& surface) {
 
 }  // namespace
 
-Bvh::Bvh(const Device& device, Surface surface) : device_(device) {
+Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   if (surface.primitives.size() >= (std::size_t{1} << 28))
     throw std::length_error("more than 268 million facets are too many for one tree");
   const Box3d box = bounds(surface);

@@ -25,7 +25,7 @@ struct Primitive {
 };
 
 // What a tree is built over. Every number is finite; there are fewer than 2^28 primitives.
-struct Surface {
+struct FacetSurface {
   std::vector<Vec3d> points;
   std::vector<Primitive> primitives;
   std::vector<std::uint32_t> fan_first{0};  // one more than there are fans
@@ -66,7 +66,7 @@ class Bvh {
  public:
   // Built on the CPU by binned surface area heuristic (Wald, On fast Construction of SAH-based Bounding
   // Volume Hierarchies, 2007), eight children at once; the same tree for any number of threads.
-  Bvh(const Device& device, Surface surface);
+  Bvh(const Device& device, FacetSurface surface);
 
   BvhView view() const;
   const Device& device() const { return device_; }

@@ -25,7 +25,7 @@ Vec3f mean_normal(std::span<const Primitive> primitives) {
   return {static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)};
 }
 
-Cone cone_around(const Surface& surface, std::span<const Primitive> primitives, const Vec3d& origin) {
+Cone cone_around(const FacetSurface& surface, std::span<const Primitive> primitives, const Vec3d& origin) {
   Cone cone;
   cone.axis = mean_normal(primitives);
   if (cone.axis == Vec3f{}) return cone;
@@ -44,7 +44,7 @@ Cone cone_around(const Surface& surface, std::span<const Primitive> primitives, 
 
 }  // namespace
 
-void add_cones(const Device& device, const Surface& surface, const Vec3d& origin, SplitTree& tree) {
+void add_cones(const Device& device, const FacetSurface& surface, const Vec3d& origin, SplitTree& tree) {
   const std::span<const Primitive> all(surface.primitives);
   parallel_for_cpu(
       device, static_cast<std::int64_t>(tree.nodes.size()),
