@@ -71,6 +71,7 @@ static HPDF_Image rendered(Book& book, const ModelView& view) {
   Drawing drawing;
   drawing.mesh = &book.model().mesh;
   drawing.facet_colours = view.colours;
+  drawing.marked = view.marked;
   drawing.lines = view.lines;
   drawing.emphasis = view.emphasis;
   return book.flow.document().add_picture(

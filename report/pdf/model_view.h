@@ -12,7 +12,8 @@ namespace gabarit::pdf {
 struct ModelView {
   Area area;  // mm on the page
   Camera camera;
-  std::span<const Rgb> colours;  // one a facet of the model
+  std::span<const Rgb> colours;               // one a facet of the model
+  std::span<const std::uint8_t> marked = {};  // see Drawing
   std::span<const SceneLine> lines = {};
   std::span<const std::uint8_t> emphasis = {};  // see Drawing
   double share = 1;                             // of the report's resolution

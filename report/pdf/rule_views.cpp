@@ -59,12 +59,13 @@ std::vector<DrawnView> add_views_page(Book& book, const RuleResult& result, cons
   draw_legend(book, result, colouring);
   const std::vector<SceneLine> lines = trace_lines(result.region);
   const std::vector<NamedView> views = views_with_traces(book, result);
+  const std::vector<std::uint8_t> marked = marks(book.model().mesh, {&result, 1});
   std::vector<DrawnView> drawn;
   const double top = flow.y() + 1;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const double x = margin_left + static_cast<double>(i % 2) * (picture_width + gap);
     const double y = top + static_cast<double>(i / 2) * (picture_height + caption_height + 1.5);
-    ModelView view{{x, y, picture_width, picture_height}, views[i].camera, colouring.facets};
+    ModelView view{{x, y, picture_width, picture_height}, views[i].camera, colouring.facets, marked};
     if (views[i].name == "top") view.lines = lines;
     const HPDF_Image image = draw_view(book, view, caption_of(views[i], lines, result));
     drawn.push_back({views[i], image});
