@@ -1,5 +1,6 @@
 #include "examples/motorcycle/stl_stream.h"
 
+#include <cstddef>
 #include <cstring>
 #include <string_view>
 
@@ -15,7 +16,7 @@ static void put_point(unsigned char* to, const Vec3f& p) {
     const float coordinate = p[axis];
     std::uint32_t word = 0;
     std::memcpy(&word, &coordinate, sizeof word);
-    put_word(to + 4 * axis, word);
+    put_word(to + std::ptrdiff_t{4} * axis, word);
   }
 }
 
