@@ -44,7 +44,7 @@ double distance_to_line(const Vec3d& p, const FacetEdge& e) {
 // curvature that explains the turn must not leave it by more than the sag, with room for irregular facets.
 bool can_curve(double turn, double height, double other, double sag) {
   const double least_curvature = turn / (0.5 * (height + other));
-  return least_curvature * height * height / 8 < 2 * sag;
+  return least_curvature * height * height / 8 < 1.2 * sag;
 }
 
 }  // namespace

@@ -23,14 +23,19 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t grain = 512;
 constexpr double degree = std::numbers::pi / 180;
 
-// Of a curvature: what second order leaves out, measured on roundings of one radius.
+// Shares of a curvature that second order adds and leaves out, beside what the edges' disagreement tells:
+// measured on roundings of one radius, coarse ones read too sharp by up to 1 %, hardly any too round.
 constexpr double model_error = 0.01;
+constexpr double overlooked = 0.001;
 // A fit whose edges disagree by more than this share of the curvature has no single curvature to tell.
 constexpr double most_doubt = 0.2;
 // 1/mm: a surface this flat is a plane.
 constexpr double flat = 1e-4;
 // An edge that turns by more is sharp as far as the mesh tells.
 constexpr double sharp = 25 * degree;
+// An edge beside a rounding may turn by this share more than half of the rounding's strip does: corners where
+// roundings meet are irregular.
+constexpr double irregular_rim = 0.5;
 // Edges that turn by less, with turning beyond both sides, belong to a surface that is irregular, not sharp…
 constexpr double gentle = 6 * degree;
 // …whose curvature is taken to be at most so many times the steepest turn over width nearby.
@@ -102,7 +107,7 @@ bool parts(const Fold& fold) { return is_rim_here(fold) || fold.turn < -sharp; }
 double least(const CurvatureFit& fit) {
   return sure_of_rounding(fit) ? fit.curvature * (1 - model_error) - fit.doubt : 0;
 }
-double most(const CurvatureFit& fit) { return std::max(fit.curvature, 0.0) * (1 + model_error) + fit.doubt; }
+double most(const CurvatureFit& fit) { return std::max(fit.curvature, 0.0) * (1 + overlooked) + fit.doubt; }
 
 Turning::Turning(const Scene& scene, const Setup& setup, const Region& region,
                  const std::vector<FacetId>& selected)
@@ -182,12 +187,13 @@ bool Turning::open(FacetId f) const {
   return false;
 }
 
-// Whether the fold turns by no more than a surface of that curvature does between the two facets.
+// Whether the fold turns by no more than a surface of that curvature does between the two facets, by half of
+// their heights: irregular facets turn a little more.
 bool Turning::explained(FacetId f, const Fold& fold, double curvature) const {
   const double here = facet_edge(*mesh_, f, fold.edge).height;
   const double there = facet_edge(*mesh_, fold.facet, fold.other).height;
   const double width = is_rim_here(fold) ? 0.5 * there : 0.5 * (here + there);
-  return fold.turn - fold.noise <= (1 + most_doubt) * curvature * width;
+  return curvature > 0 && fold.turn - fold.noise <= (1 + irregular_rim) * curvature * width;
 }
 
 bool Turning::is_gentle(FacetId f, const Fold& fold) const {

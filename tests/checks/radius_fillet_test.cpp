@@ -56,7 +56,7 @@ void for_each_fillet(std::initializer_list<Meshing> meshings, std::initializer_l
   for (const Meshing meshing : meshings) {
     for (const double radius : radii) {
       for (const double angle : angles) {
-        for (const double step : {0.5, 1.0, 1.5, 2.0, 3.0}) {
+        for (const double step : {0.5, 1.5, 3.0}) {
           const Fillet fillet{.radius = radius, .angle = angle * degree, .step = step, .meshing = meshing};
           const int strips = static_cast<int>(std::ceil(radius * fillet.angle / step - 1e-9));
           if (fillet.angle / strips > 50 * degree) continue;  // no rounding is left
