@@ -61,7 +61,9 @@ bool measures_the_same(const RuleResult& a, const RuleResult& b) {
 // What a measure has to know of the limit: which value of a facet decides, and how finely to look.
 Setup asked_by(Setup setup, const Limit& limit, Extreme extreme) {
   setup.extreme = extreme;
-  setup.resolution = (extreme == Extreme::smallest ? limit.low : limit.high) / 2;
+  // Between two places the smallest value is bounded, the greatest only estimated: it is looked for more
+  // finely.
+  setup.resolution = extreme == Extreme::smallest ? limit.low / 2 : limit.high / 16;
   return setup;
 }
 
