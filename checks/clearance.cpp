@@ -30,6 +30,7 @@ const Measure clearance_measure{
     .dimension = Dimension::length,
     .parameters = wall_parameters(Side::outside),
     .measure = measure,
+    .varies_within_facets = true,
     .sentence = sentence};
 
 }  // namespace gabarit

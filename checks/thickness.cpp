@@ -47,6 +47,7 @@ const Measure thickness_measure{
     .dimension = Dimension::length,
     .parameters = wall_parameters(Side::inside),
     .measure = measure,
+    .varies_within_facets = true,
     .sentence = sentence};
 
 }  // namespace gabarit
