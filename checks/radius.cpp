@@ -1,5 +1,6 @@
 #include "checks/radius.h"
 
+#include "checks/radius_exact.h"
 #include "checks/sphere_placement.h"
 #include "checks/turning.h"
 
@@ -8,8 +9,8 @@ namespace gabarit {
 namespace {
 
 Field measure(const Scene& scene, const Setup& setup, const Region& region, const Arguments& arguments) {
-  return arguments.text("method") == "sphere placement" ? measure_sphere_placement(scene, setup, region)
-                                                        : measure_turning(scene, setup, region);
+  if (arguments.text("method") == "sphere placement") return measure_sphere_placement(scene, setup, region);
+  return scene.model().brep ? measure_exact_radius(scene, region) : measure_turning(scene, setup, region);
 }
 
 std::string sentence(const Arguments& arguments) {
@@ -24,6 +25,11 @@ const Measure radius_measure{
     .documentation =
         "The smallest radius of convex curvature of the surface at a facet. Planes and hollows have "
         "an infinite radius, an edge with a jump of the normal has radius 0.\n\n"
+        "A model with exact surfaces (STEP, IGES) is measured on them, unless the method is `sphere "
+        "placement`: the radius is that of the sharpest point of a face within the facet, from the "
+        "kind of the surface where it has one; an edge is sharp, radius 0, where the normals of its "
+        "two faces turn away from each other by more than 5 deg, and smooth below. Radii are rounded "
+        "to 1e-6 mm, so that a rounding of R4 is R4; lower and upper bound equal the value.\n\n"
         "`turning` fits one curvature to the angles at the edges of a facet and of its neighbours. "
         "Where the corners of a mesh lie on the surface, the angle at an edge is known from the "
         "curvature and the shape of the two facets, whatever that shape is: long strips and irregular "

@@ -1,5 +1,7 @@
 #include "model/brep.h"
 
+#include "model/brep_view.h"
+
 namespace gabarit {
 
 const char* name(SurfaceKind kind) {

@@ -9,7 +9,6 @@
 
 #include "gpu/box.h"
 #include "gpu/vec3.h"
-#include "gpu/view.h"
 
 namespace gabarit {
 
@@ -87,6 +86,7 @@ struct Face {
 
 // How the surface turns across an edge, seen from outside.
 enum class EdgeKind : std::uint8_t { smooth, convex, concave, mixed, boundary };
+constexpr int edge_kinds = 5;
 const char* name(EdgeKind kind);
 
 struct Edge {
@@ -121,18 +121,10 @@ struct Brep {
   std::vector<Face> faces;  // numbered body by body in the order of the file: the same for the same file
   std::vector<Edge> edges;  // likewise
   std::vector<BrepVertex> vertices;
-  std::vector<FacetOrigin> facets;  // one a facet of the mesh
-  std::uint64_t approximated = 0;   // surfaces and curves (offsets) that are a spline within 1e-6 mm here
+  std::vector<FacetOrigin> facets;   // one a facet of the mesh
+  std::uint64_t invalid_bodies = 0;  // as they stand in the file, repaired or not
+  std::uint64_t approximated = 0;    // surfaces and curves (offsets) that are splines only nearly
+  double approximation_error = 0;    // mm: the greatest seen on a grid over each of them
 };
-
-// What kernels hold.
-struct BrepView {
-  View<const Surface> surfaces;
-  View<const Curve> curves;
-  View<const Pole> poles;
-  View<const double> knots;
-  View<const Face> faces;
-};
-BrepView view(const Brep& brep);
 
 }  // namespace gabarit

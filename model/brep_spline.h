@@ -1,7 +1,7 @@
 // Basis functions of splines and the quotient of rational ones (Piegl & Tiller, The NURBS Book, 1997).
 #pragma once
 
-#include "model/brep.h"
+#include "model/brep_view.h"
 
 namespace gabarit {
 

@@ -20,7 +20,9 @@ inline std::optional<double> turn_between(const Vec3d& a, const Vec3d& b, const 
   if (a == Vec3d{} || b == Vec3d{}) return std::nullopt;
   const Vec3d axis = cross(a, b);
   const double angle = std::atan2(length(axis), dot(a, b));
-  return dot(axis, along) < 0 ? -angle : angle;
+  // A knife's edge and a slit look alike from here: the dangerous one is assumed.
+  const bool either_way = angle > 3.14159;
+  return dot(axis, along) < 0 && !either_way ? -angle : angle;
 }
 
 inline Vec3d normal_at(const BrepView& brep, FaceId face, Parameters at) {

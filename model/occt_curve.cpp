@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <GeomConvert.hxx>
 #include <GeomConvert_ApproxCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -70,9 +72,15 @@ Curve converted(Brep& brep, const Handle(Geom_Curve) & curve) {
   if (!as<Geom_BezierCurve>(curve).IsNull()) return spline(brep, GeomConvert::CurveToBSplineCurve(curve));
   if (const auto trimmed = as<Geom_TrimmedCurve>(curve); !trimmed.IsNull())
     return converted(brep, trimmed->BasisCurve());
-  ++brep.approximated;
   const GeomConvert_ApproxCurve fit(curve, approximation_tolerance, GeomAbs_C2, 1000, 9);
   if (!fit.HasResult()) throw Standard_NotImplemented(curve->DynamicType()->Name());
+  ++brep.approximated;
+  constexpr int steps = 256;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = curve->FirstParameter() + (curve->LastParameter() - curve->FirstParameter()) * i / steps;
+    brep.approximation_error =
+        std::max(brep.approximation_error, curve->Value(t).Distance(fit.Curve()->Value(t)));
+  }
   return spline(brep, fit.Curve());
 }
 

@@ -44,6 +44,7 @@ class Filling {
     for (const OcctPart& part : parts_) model_->bodies.push_back(part.name);
     if (progress_->time_is_over()) return out_of_time(file_, *options_);
     model_->brep.emplace();
+    model_->brep->invalid_bodies = invalid_;
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
       first_face_.push_back(static_cast<FaceId>(model_->brep->faces.size()));
       add_topology(parts_[i].shape, i, *model_->brep);
@@ -62,18 +63,19 @@ class Filling {
 
   // Repairs what is invalid and nothing else. Instances of one product are checked once.
   void repair() {
-    std::map<const void*, TopoDS_Shape> known;
+    std::map<const void*, std::pair<TopoDS_Shape, bool>> known;  // and whether it was valid
     for (OcctPart& part : parts_) {
       const TopLoc_Location at = part.shape.Location();
       const auto [it, is_new] =
-          known.try_emplace(part.shape.TShape().get(), part.shape.Located(TopLoc_Location()));
-      if (is_new) it->second = valid(it->second, part.name);
-      part.shape = it->second.Located(at * it->second.Location());
+          known.try_emplace(part.shape.TShape().get(), part.shape.Located(TopLoc_Location()), true);
+      if (is_new) it->second = valid(it->second.first, part.name);
+      part.shape = it->second.first.Located(at * it->second.first.Location());
+      invalid_ += it->second.second ? 0 : 1;
     }
   }
 
-  TopoDS_Shape valid(const TopoDS_Shape& shape, const std::string& name) {
-    if (BRepCheck_Analyzer(shape).IsValid()) return shape;
+  std::pair<TopoDS_Shape, bool> valid(const TopoDS_Shape& shape, const std::string& name) {
+    if (BRepCheck_Analyzer(shape).IsValid()) return {shape, true};
     ShapeFix_Shape fix(shape);
     fix.Perform(progress_->start(0.5, 0.5));
     const TopoDS_Shape fixed = fix.Shape();
@@ -82,7 +84,7 @@ class Filling {
     warn(fmt::format("body '{}' is not valid as it stands in the file; {}", name,
                      good ? "OpenCASCADE repaired it"
                           : "OpenCASCADE could not repair it: what is measured near the fault may be wrong"));
-    return whole ? fixed : shape;
+    return {whole ? fixed : shape, false};
   }
 
   void tessellate() {
@@ -114,7 +116,7 @@ class Filling {
     deviation_.clear();
     facets_ = {};
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      TessellationOptions options{.sag = deflections[i], .parallel = options_->threads != 1};
+      const TessellationOptions options{.sag = deflections[i]};
       triangulate(parts_[i].shape, options, progress_->start(progress, progress));
       const auto first = static_cast<FacetId>(model_->mesh.facet_count());
       first_facet_.push_back(first);
@@ -184,8 +186,9 @@ class Filling {
     if (facets_.edges_unmatched > 0)
       warn(fmt::format("the facets do not fit together along {} edges", facets_.edges_unmatched));
     if (model_->brep->approximated > 0)
-      warn(fmt::format("{} offset surfaces or curves are measured as splines within 1e-6 mm",
-                       model_->brep->approximated),
+      warn(fmt::format(
+               "{} offset surfaces or curves are measured as splines that are within {:.2g} mm of them",
+               model_->brep->approximated, model_->brep->approximation_error),
            Diagnostic::Level::note);
   }
 
@@ -193,6 +196,7 @@ class Filling {
   std::string file_;
   const LoadOptions* options_;
   Handle(OcctProgress) progress_;
+  std::uint64_t invalid_ = 0;
   Model* model_;
   std::vector<FaceId> first_face_;
   std::vector<FacetId> first_facet_;

@@ -1,5 +1,7 @@
 #include "model/occt_surface.h"
 
+#include <algorithm>
+
 #include <GeomConvert.hxx>
 #include <GeomConvert_ApproxSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -51,10 +53,21 @@ Surface spline(Brep& brep, const Handle(Geom_BSplineSurface) & original) {
   return s;
 }
 
-Handle(Geom_BSplineSurface) approximation(const Handle(Geom_Surface) & surface, const ParameterBox& r) {
+Handle(Geom_BSplineSurface)
+    approximation(Brep& brep, const Handle(Geom_Surface) & surface, const ParameterBox& r) {
   const Handle(Geom_Surface) piece = new Geom_RectangularTrimmedSurface(surface, r.u0, r.u1, r.v0, r.v1);
   const GeomConvert_ApproxSurface fit(piece, approximation_tolerance, GeomAbs_C2, GeomAbs_C2, 9, 9, 1000, 1);
   if (!fit.HasResult()) throw Standard_NotImplemented(surface->DynamicType()->Name());
+  ++brep.approximated;
+  // Measured on a grid: the error that OpenCASCADE itself gives was seen to be a hundred times too small.
+  constexpr int steps = 64;
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; j <= steps; ++j) {
+      const double u = r.u0 + (r.u1 - r.u0) * i / steps, v = r.v0 + (r.v1 - r.v0) * j / steps;
+      const double error = surface->Value(u, v).Distance(fit.Surface()->Value(u, v));
+      brep.approximation_error = std::max(brep.approximation_error, error);
+    }
+  }
   return fit.Surface();
 }
 
@@ -110,8 +123,7 @@ Surface converted(Brep& brep, const Handle(Geom_Surface) & surface, const Parame
     if (const Handle(Geom_Surface) same = offset->Surface(); !same.IsNull())
       return converted(brep, same, range);
   }
-  ++brep.approximated;
-  return spline(brep, approximation(surface, range));
+  return spline(brep, approximation(brep, surface, range));
 }
 
 }  // namespace

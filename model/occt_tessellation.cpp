@@ -127,7 +127,8 @@ void triangulate(const TopoDS_Shape& shape, const TessellationOptions& options,
   IMeshTools_Parameters parameters;
   parameters.Deflection = options.sag;
   parameters.Angle = options.angle;
-  parameters.InParallel = options.parallel;
+  // On this thread only: a crash on another one could not be caught.
+  parameters.InParallel = Standard_False;
   BRepMesh_IncrementalMesh(shape, parameters, progress);
 }
 

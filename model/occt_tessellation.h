@@ -11,7 +11,6 @@ namespace gabarit {
 struct TessellationOptions {
   double sag = 0.05;              // mm, asked for
   double angle = 0.349065850399;  // radians between neighbouring facets across a curved face: 20°
-  bool parallel = true;
 };
 
 struct Tessellation {

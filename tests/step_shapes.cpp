@@ -1,4 +1,4 @@
-#include "tests/model/step_fixture.h"
+#include "tests/step_shapes.h"
 
 #include <fstream>
 #include <numbers>
@@ -34,7 +34,7 @@
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 
-namespace gabarit::step_fixture {
+namespace gabarit::step_shapes {
 
 TopoDS_Shape box(double x, double y, double z) { return BRepPrimAPI_MakeBox(x, y, z).Shape(); }
 
@@ -149,4 +149,4 @@ double volume(const Model& model) {
   return six / 6;
 }
 
-}  // namespace gabarit::step_fixture
+}  // namespace gabarit::step_shapes

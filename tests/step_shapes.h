@@ -11,7 +11,7 @@
 
 #include "model/load.h"
 
-namespace gabarit::step_fixture {
+namespace gabarit::step_shapes {
 
 TopoDS_Shape box(double x, double y, double z);
 // With all twelve edges rounded.
@@ -50,4 +50,4 @@ class StepFiles : public testing::Test {
 Model loaded(const std::filesystem::path& file, const LoadOptions& options = {});
 double volume(const Model& model);
 
-}  // namespace gabarit::step_fixture
+}  // namespace gabarit::step_shapes
