@@ -91,7 +91,9 @@ TEST_F(RadiusExact, a_bore_is_hollow_and_its_rim_is_sharp) {
   for (std::size_t i = 0; i < field.size(); ++i) {
     const auto [a, b, c] = model.mesh.corners(field.facets[i]);
     const bool at_rim = std::min({a.z, b.z, c.z}) < 1e-9 || std::max({a.z, b.z, c.z}) > 30 - 1e-9;
-    if (at_rim) EXPECT_TRUE(field.value[i] == 0 || field.value[i] == 10 || field.value[i] == infinity);
+    if (at_rim) {
+      EXPECT_TRUE(field.value[i] == 0 || field.value[i] == 10 || field.value[i] == infinity);
+    }
   }
   EXPECT_EQ(*std::min_element(field.value.begin(), field.value.end()), 0);
 }
