@@ -30,8 +30,8 @@ double seconds(Work&& work) {
   return processor_seconds() - start;
 }
 
-Surface surface_of(const TriangleMesh& mesh) {
-  Surface surface;
+FacetSurface surface_of(const TriangleMesh& mesh) {
+  FacetSurface surface;
   surface.points = mesh.vertices;
   for (FacetId f = 0; f < mesh.facet_count(); ++f) {
     const Vec3d n = facet_normal(mesh, f);
@@ -49,11 +49,11 @@ struct Row {
 
 // The paper's definition: every facet counts.
 Row compare(const TriangleMesh& mesh, std::size_t samples) {
-  const Surface surface = surface_of(mesh);
+  const FacetSurface surface = surface_of(mesh);
   const ShrinkingSphere paper(surface.points, surface.primitives);
   Row row;
   const auto count = static_cast<double>(surface.primitives.size());
-  Surface copy = surface;
+  FacetSurface copy = surface;
   const double start = processor_seconds();
   const Bvh tree(Device::cpu(1), std::move(copy));
   row.build = processor_seconds() - start;
