@@ -51,6 +51,7 @@ std::array<double, 3> solve_linear(const Matrix3& a, const std::array<double, 3>
   return x;
 }
 
+constexpr double hollow = 0.1;         // rad: edges that turn inwards by more may belong to something else
 constexpr double usual_misfit = 0.01;  // of an equation, as a share of the curvature
 constexpr std::size_t most_equations = 48;
 
@@ -130,7 +131,7 @@ void Equations::add(const Fold& fold, FacetId f, const Corners2& here) {
              .turn = 2 * std::sin(0.5 * fold.turn),  // exact for equal chords of a circle
              .noise = fold.noise,
              .width = 0.5 * (mine.height + theirs.height),
-             .concave = fold.turn < -fold.noise};
+             .concave = fold.turn < -hollow};
   add_side(e.m, u, mine.foot - middle, -middle, mine.length - middle, mine.height, 1);
   if (!plane_there) {
     add_side(e.m, u, place(theirs.apex) - middle, std::min(a, b) - middle, std::max(a, b) - middle,

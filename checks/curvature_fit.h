@@ -16,8 +16,8 @@ struct CurvatureFit {
 // A surface z = ½ xᵀHx through the corners of two facets that share an edge turns at the edge by tr(H M) with
 // M from the shape of the two facets alone (see docs/radius.md); exact to second order for any triangles
 // whose corners lie on the surface. H is fitted by least squares to the edges of the facet and of its
-// neighbours. Sides of an edge on which the surface does not turn on are planes: H = 0 there. Concave edges
-// are left out when the others agree better without them.
+// neighbours. Sides of an edge on which the surface does not turn on are planes: H = 0 there. Edges of
+// hollows are left out when the others agree better without them.
 CurvatureFit fit_curvature(const TriangleMesh& mesh, const Folds& folds, FacetId f);
 
 }  // namespace gabarit

@@ -99,23 +99,34 @@ void Folds::fill(const Scene& scene, const Adjacency& adjacency) {
   parallel_for_cpu(scene.device(), count, fill_them, grain);
 }
 
-// Whether there is convex turning on the far side of facet f as seen from one of its edges, no further away
-// than a few times the facet's height: at its other edges, or, since most strips are quadrilaterals cut in
-// two, at the far edges of what lies behind those.
-bool Folds::turns_beyond(const TriangleMesh& mesh, FacetId f, int edge) const {
+// By how much the surface turns on beyond facet f as seen from one of its edges, no further away than a few
+// times the facet's height: at its other edges, and, since most strips are quadrilaterals cut in two, at the
+// far edges of what lies behind those. Convex folds only, rad.
+double Folds::turn_beyond(const TriangleMesh& mesh, FacetId f, int edge) const {
   const FacetEdge e = facet_edge(mesh, f, edge);
+  double sum = 0;
   for (const Fold& next : of(f)) {
     if (next.edge == edge) continue;
-    if (next.convex) return true;
+    if (next.convex) sum += next.turn;
     for (const Fold& far : of(next.facet)) {
       if (!far.convex || far.edge == next.other) continue;
-      const Vec3d middle =
-          0.5 * (mesh.corner(next.facet, far.edge) + mesh.corner(next.facet, (far.edge + 1) % 3));
-      const double distance = distance_to_line(middle, e);
-      if (distance > 0.5 * e.height && distance < 2.5 * e.height) return true;
+      const Vec3d& from = mesh.corner(next.facet, far.edge);
+      const Vec3d& to = mesh.corner(next.facet, (far.edge + 1) % 3);
+      const double distance = distance_to_line(0.5 * (from + to), e);
+      if (distance > 0.5 * e.height && distance < 2.5 * e.height) sum += far.turn;
     }
   }
-  return false;
+  return sum;
+}
+
+// Whether the first of two facets beside a convex fold is curved like the other, as far as the mesh tells: it
+// can be within the sag, and turns on by a good part of what its own height asks for.
+bool Folds::turns_on(const TriangleMesh& mesh, const Fold& fold, FacetId f, int edge, double other_height,
+                     double sag) const {
+  constexpr double good_part = 0.25;
+  const double height = facet_edge(mesh, f, edge).height;
+  return can_curve(fold.turn, height, other_height, sag) &&
+         turn_beyond(mesh, f, edge) > good_part * fold.turn * height / (height + other_height);
 }
 
 void Folds::find_rims(const Scene& scene, double sag) {
@@ -127,8 +138,8 @@ void Folds::find_rims(const Scene& scene, double sag) {
       if (!one.convex) continue;
       const double here = facet_edge(mesh, facets_[row], one.edge).height;
       const double there = facet_edge(mesh, one.facet, one.other).height;
-      one.turns_here = can_curve(one.turn, here, there, sag) && turns_beyond(mesh, facets_[row], one.edge);
-      one.turns_there = can_curve(one.turn, there, here, sag) && turns_beyond(mesh, one.facet, one.other);
+      one.turns_here = turns_on(mesh, one, facets_[row], one.edge, there, sag);
+      one.turns_there = turns_on(mesh, one, one.facet, one.other, here, sag);
     }
   };
   parallel_for_cpu(scene.device(), static_cast<std::int64_t>(facets_.size()), kernel, grain);

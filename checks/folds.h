@@ -57,7 +57,9 @@ class Folds {
  private:
   void fill(const Scene& scene, const Adjacency& adjacency);
   void find_rims(const Scene& scene, double sag);
-  bool turns_beyond(const TriangleMesh& mesh, FacetId f, int edge) const;
+  double turn_beyond(const TriangleMesh& mesh, FacetId f, int edge) const;
+  bool turns_on(const TriangleMesh& mesh, const Fold& fold, FacetId f, int edge, double other_height,
+                double sag) const;
 
   std::vector<std::uint32_t> inside_out_;
   std::vector<FacetId> facets_;

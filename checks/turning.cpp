@@ -75,7 +75,7 @@ class Turning {
   Reading read_sliver(FacetId f) const;
   const CurvatureFit& fit(FacetId f) const { return fits_[place_[f]]; }
   void doubt_coarse(FacetId f, CurvatureFit& fit) const;
-  double curvature_beside(FacetId f) const;
+  double curvature_beside(FacetId f, const Fold* except = nullptr) const;
   double curvature_around(FacetId f) const;
   double least_beside(FacetId f) const;
   bool on_plane(FacetId f) const;
@@ -135,11 +135,12 @@ void Turning::doubt_coarse(FacetId f, CurvatureFit& fit) const {
   }
 }
 
-// The largest curvature that a neighbour is sure of.
-double Turning::curvature_beside(FacetId f) const {
+// The largest curvature that a neighbour is sure of, one across `except` left out.
+double Turning::curvature_beside(FacetId f, const Fold* except) const {
   double largest = 0;
   for (const Fold& fold : folds_.of(f)) {
-    if (sure_of_rounding(fit(fold.facet))) largest = std::max(largest, most(fit(fold.facet)));
+    if (&fold != except && sure_of_rounding(fit(fold.facet)))
+      largest = std::max(largest, most(fit(fold.facet)));
   }
   return largest;
 }
@@ -159,10 +160,16 @@ double Turning::curvature_around(FacetId f) const {
   return largest;
 }
 
-// What a neighbour confirms: one facet across a rim can be misled.
+// What a neighbour confirms, when none across an edge that both are curved at has doubts: one facet across a
+// rim can be misled, and so can the flat between two roundings.
 double Turning::least_beside(FacetId f) const {
   double largest = 0;
-  for (const Fold& fold : folds_.of(f)) largest = std::max(largest, least(fit(fold.facet)));
+  for (const Fold& fold : folds_.of(f)) {
+    const CurvatureFit& there = fit(fold.facet);
+    const bool curved = fold.turn > gentle && fold.turns_here && fold.turns_there;
+    if (curved && !sure_of_rounding(there)) return 0;
+    largest = std::max(largest, least(there));
+  }
   return largest;
 }
 
@@ -218,12 +225,13 @@ void Turning::limit_by_edge(FacetId f, const Fold& fold, Reading& reading) const
 
 Edges Turning::look_at_edges(FacetId f, Reading& reading) const {
   const bool sure = sure_of_rounding(fit(f));
-  const double beside = curvature_beside(f);
   Edges edges;
   for (const Fold& fold : folds_.of(f)) {
     if (!turns(fold) || selected(f, fold) == Selected::no) continue;
     edges.convex = true;
     if (fold.oriented && sure && !is_rim_here(fold)) continue;
+    // The facet across the edge has its curvature from that very edge, unless this is the rim of a plane.
+    const double beside = curvature_beside(f, is_rim_here(fold) ? nullptr : &fold);
     if (fold.oriented && explained(f, fold, beside)) continue;
     if (fold.oriented && is_gentle(f, fold)) {
       edges.irregular = true;

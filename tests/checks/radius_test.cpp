@@ -1,6 +1,7 @@
 #include "checks/radius.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -183,6 +184,26 @@ TEST(Radius, the_two_sides_of_a_thin_plate_are_not_mixed) {
       EXPECT_EQ(field.value[f], infinity);
     }
   }
+}
+
+TEST(Radius, a_narrow_flat_between_two_roundings_does_not_make_them_one) {
+  // The edge of a plate of 4 mm: R1, a flat of 2 mm, R1; flat and chords together would pass for R4.7.
+  std::vector<shapes::Point2> profile;
+  for (const auto& [x, y, from] :
+       {std::array{1.0, 1.0, pi}, {39.0, 1.0, 1.5 * pi}, {39.0, 3.0, 0.0}, {1.0, 3.0, pi / 2}}) {
+    for (const shapes::Point2& p : shapes::arc({x, y}, 1, from, from + pi / 2, 3)) profile.push_back(p);
+  }
+  const auto triangles = shapes::extrude(profile, 0, 30, 5);
+  const TriangleMesh mesh = shapes::mesh(triangles);
+  const Field field = measured(triangles);
+  int rounded = 0;
+  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    const Vec3d n = facet_normal(mesh, f);
+    if (std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) > 0.999) continue;
+    ++rounded;
+    EXPECT_LT(field.lower[f], 1.01);
+  }
+  EXPECT_EQ(rounded, 4 * 3 * 5 * 2);
 }
 
 TEST(Radius, a_free_edge_is_undecided_never_round) {
