@@ -3,8 +3,11 @@
 #include "checks/body.h"
 #include "checks/box.h"
 #include "checks/check.h"
+#include "checks/clearance.h"
 #include "checks/facing.h"
 #include "checks/height.h"
+#include "checks/radius.h"
+#include "checks/thickness.h"
 #include "checks/vertical_cylinder_contact.h"
 
 namespace gabarit {
@@ -15,7 +18,10 @@ std::span<const Selector* const> all_selectors() {
   return all;
 }
 
-std::span<const Measure* const> all_measures() { return {}; }
+std::span<const Measure* const> all_measures() {
+  static constexpr std::array all{&radius_measure, &thickness_measure, &clearance_measure};
+  return all;
+}
 
 Region whole_model(const TriangleMesh& mesh) {
   Region region;

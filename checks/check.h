@@ -36,6 +36,8 @@ struct Measure {
   Dimension dimension = Dimension::length;
   std::vector<Parameter> parameters = {};  // all named; the limit is not among them
   Field (*measure)(const Scene&, const Setup&, const Region&, const Arguments&);
+  // Whether a facet can have several values, so that the extreme and the resolution of the setup matter.
+  bool varies_within_facets = false;
   std::string (*sentence)(const Arguments&) = nullptr;
 };
 

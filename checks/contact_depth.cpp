@@ -1,7 +1,10 @@
 #include "checks/contact_depth.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
+
+#include "gpu/parallel_for.h"
 
 namespace gabarit {
 
@@ -31,22 +34,95 @@ static std::vector<Segment2> segments_of(const std::vector<PlanSide>& sides) {
   return segments;
 }
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void lower(float& place, float value) {
+  const std::atomic_ref<float> shared(place);
+  float now = shared.load(std::memory_order_relaxed);
+  while (value < now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+  }
+}
+
+// The half width at height y of a disk whose middle is at height 0; negative where there is none.
+double half_width(double radius, double y) {
+  return std::abs(y) < radius ? std::sqrt((radius - y) * (radius + y)) : -1;
+}
+
+// Where in a row of squares a disk may touch that rolls along a segment: it holds nothing, so the squares
+// inside it need not be looked at.
+struct Rim {
+  Segment2 centre;
+  double inner, outer;  // radii
+
+  template <class Add>
+  void spans(double bottom, double top, Add&& add) const {
+    const auto [low_y, high_y] = std::minmax(centre.from.y, centre.to.y);
+    const auto [low_x, high_x] = std::minmax(centre.from.x, centre.to.x);
+    const double half = half_width(outer, std::max({0.0, bottom - high_y, low_y - top}));
+    if (half < 0) return;
+    double hole_from = high_x + half;
+    double hole_to = low_x - half;
+    for (const Point2 c : {centre.from, centre.to}) {
+      const double empty = half_width(inner, std::max(std::abs(bottom - c.y), std::abs(top - c.y)));
+      if (empty < 0) continue;
+      hole_from = std::min(hole_from, c.x - empty);
+      hole_to = std::max(hole_to, c.x + empty);
+    }
+    if (hole_from >= hole_to) return add(low_x - half, high_x + half);
+    add(low_x - half, hole_from);
+    add(hole_to, high_x + half);
+  }
+};
+
+double nearest_ends(const Segment2& s, const Segment2& t) {
+  const auto squared = [](Point2 p, Point2 q) { return dot(p - q, p - q); };
+  return std::min(std::min(squared(s.from, t.from), squared(s.from, t.to)),
+                  std::min(squared(s.to, t.from), squared(s.to, t.to)));
+}
+
+// Infinite where it is certainly more than `most`: the squared distance falls short of that between the
+// nearest ends by no more than the square of half of both lengths.
+double side_distance(const Segment2& centre, double size, const Segment2& side, double most) {
+  const double ends = nearest_ends(centre, side);
+  const double halves = (size + length(side.to - side.from)) / 2;
+  if (ends - halves * halves > most * most * (1 + 1e-9)) return infinity;
+  return segment_distance(centre.from, centre.to, side.from, side.to);
+}
+
+struct LowerDepths {
+  const SegmentGrid& grid;
+  const std::vector<Segment2>& sides;
+  const std::vector<Segment2>& centres;
+  double radius, reach;
+  std::vector<float>& depth;
+
+  void operator()(std::int64_t i) const {
+    const Segment2& centre = centres[static_cast<std::size_t>(i)];
+    const double size = length(centre.to - centre.from);
+    const Rim rim{centre, radius * (1 - 1e-6), reach + 1e-6 * grid.size()};
+    const auto [low, high] = std::minmax(centre.from.y, centre.to.y);
+    grid.visit_rows(
+        low - rim.outer, high + rim.outer,
+        [&](double bottom, double top, auto&& add) { rim.spans(bottom, top, add); },
+        [&](std::uint32_t side) {
+          const double d = side_distance(centre, size, sides[side], reach);
+          if (d <= reach) lower(depth[side], static_cast<float>(d - radius));
+        });
+  }
+};
+
+}  // namespace
+
 ContactDepth::ContactDepth(const std::vector<PlanSide>& sides, double radius)
     : sides_(segments_of(sides)), grid_(sides_, radius / 64) {}
 
-std::vector<float> ContactDepth::along(const DiskPath& path, double tolerance) const {
+std::vector<float> ContactDepth::along(const DiskPath& path, double tolerance, const Device& device) const {
   std::vector<float> depth(sides_.size(), std::numeric_limits<float>::infinity());
-  const double reach = path.radius + tolerance;
-  for (const Segment2& centre : centres(path)) {
-    Box2 box;
-    box.add(centre.from);
-    box.add(centre.to);
-    const auto near = [&](Point2 low, Point2 high) { return box_gap(low, high, box) <= reach; };
-    grid_.visit(box.low, box.high, reach, near, [&](std::uint32_t i) {
-      const double d = segment_distance(centre.from, centre.to, sides_[i].from, sides_[i].to);
-      if (d <= reach) depth[i] = std::min(depth[i], static_cast<float>(d - path.radius));
-    });
-  }
+  const std::vector<Segment2> middles = centres(path);
+  parallel_for_cpu(device, static_cast<std::int64_t>(middles.size()),
+                   LowerDepths{grid_, sides_, middles, path.radius, path.radius + tolerance, depth}, 16);
   return depth;
 }
 

@@ -16,7 +16,7 @@ class ContactDepth {
   // dist(side, path) - R in mm for each side; +infinity where that is more than `tolerance`. The disk is
   // empty, so only the ends of arcs and the lines matter: no side comes nearer inside an arc than at its
   // ends.
-  std::vector<float> along(const DiskPath& path, double tolerance) const;
+  std::vector<float> along(const DiskPath& path, double tolerance, const Device& device) const;
 
  private:
   std::vector<Segment2> sides_;

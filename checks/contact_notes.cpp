@@ -94,14 +94,12 @@ std::vector<Vec3d> doubtful_places(const Region& region, const TriangleMesh& mes
   return places;
 }
 
-std::string doubt(const Region& region, const TriangleMesh& mesh, double size) {
+std::string doubt(const Region& region, const TriangleMesh& mesh, double size, const char* cause) {
   const std::vector<Vec3d> places = doubtful_places(region, mesh, size);
   const auto facets = std::count(region.facets.begin(), region.facets.end(), Selected::maybe);
   if (facets == 0) return {};
-  std::string text = fmt::format(
-      "Whether {} {} touched depends on the sag: a column larger or smaller by it reaches others. They lie "
-      "near ",
-      facets, facets == 1 ? "facet is" : "facets are");
+  std::string text = fmt::format("Whether {} {} touched depends on {}. They lie near ", facets,
+                                 facets == 1 ? "facet is" : "facets are", cause);
   for (std::size_t i = 0; i < std::min(places.size(), most_places); ++i) {
     text += fmt::format("{}({:.1f}, {:.1f}, {:.1f}) mm", i > 0 ? ", " : "", places[i].x, places[i].y,
                         places[i].z);
@@ -127,7 +125,7 @@ std::vector<Trace> contact_traces(const DiskPath& path, const Frame& frame) {
 }
 
 std::vector<std::string> contact_notes(const Region& region, const TriangleMesh& mesh,
-                                       const PlanProjection& plan, const DiskPath& path) {
+                                       const PlanProjection& plan, const DiskPath& path, double spacing) {
   std::vector<std::string> notes;
   if (plan.left_out() > 0) {
     notes.push_back(fmt::format("{} {} left out: coordinates that are not finite or beyond 1000 km.",
@@ -137,9 +135,15 @@ std::vector<std::string> contact_notes(const Region& region, const TriangleMesh&
     notes.push_back("No facet lies within the column's heights, so it touches nothing.");
     return notes;
   }
-  notes.push_back(fmt::format("The column goes around {} separate outline{} of the plan view.",
-                              path.components, path.components == 1 ? "" : "s"));
-  if (std::string text = doubt(region, mesh, 2 * path.radius); !text.empty())
+  notes.push_back(
+      spacing > 0 ? fmt::format("The path of the column's axis is known at the {} places where lines {:g} mm "
+                                "apart cross it.",
+                                path.pieces.size(), spacing)
+                  : fmt::format("The column goes around {} separate outline{} of the plan view.",
+                                path.components, path.components == 1 ? "" : "s"));
+  const char* cause = spacing > 0 ? "the sag and on where the column stands between these lines"
+                                  : "the sag: a column larger or smaller by it reaches others";
+  if (std::string text = doubt(region, mesh, 2 * path.radius, cause); !text.empty())
     notes.push_back(std::move(text));
   return notes;
 }

@@ -15,8 +15,9 @@ namespace gabarit {
 // leave them by 1 mm at most.
 std::vector<Trace> contact_traces(const DiskPath& path, const Frame& frame);
 
-// How many outlines there are, what was left out, and where the sag decides about a contact.
+// How many outlines there are, what was left out, and where the sag decides about a contact. `spacing`: of
+// the dexels that the path comes from, 0 for none.
 std::vector<std::string> contact_notes(const Region& region, const TriangleMesh& mesh,
-                                       const PlanProjection& plan, const DiskPath& path);
+                                       const PlanProjection& plan, const DiskPath& path, double spacing);
 
 }  // namespace gabarit

@@ -91,13 +91,16 @@ void point_covers_line(const Line& c, double sign, Point2 w, Point2 a, Point2 b,
   free.take_out(t - h, t + h);
 }
 
+// Distances (mm) nearer than this are one: two lines that lie so near to each other must not both be covered
+// by the other.
+constexpr double same_line = 1e-10;
+
 struct Slab {
   double from = -1e300, to = 1e300;
   // Keeps t with low < value + t * slope < high.
   void cut(double value, double slope, double low, double high) {
     if (std::abs(slope) < 1e-12) {
-      const double slack = 1e-10;  // as near as parallel lines are told apart from touching ones
-      if (value <= low + slack || value >= high - slack) to = from;
+      if (value <= low + same_line || value >= high - same_line) to = from;
       return;
     }
     const double t0 = (low - value) / slope;
@@ -117,13 +120,12 @@ void edge_covers_line(const Line& c, double sign, Point2 a, Point2 b, const Line
   if (std::abs(slope) < 1e-12) {
     // Parallel: room for the disk between the lines is decided exactly.
     const double s = sign * dot(p - c.origin, c.normal);
-    if (s <= 0 || s >= 2 * r * (1 + 1e-9)) return;
-    if (s < 0.01 * r && side_of_line(a, b, p) == 0 && side_of_line(a, b, q) == 0) return;
+    if (s <= same_line || s >= 2 * r * (1 + 1e-9)) return;
     if (s > 1.99 * r && compare_line_distance(p, a, b, 2 * r) >= 0 &&
         compare_line_distance(q, a, b, 2 * r) >= 0)
       return;
   } else {
-    slab.cut(dot(start - e.origin, e.normal), slope, -r, r);
+    slab.cut(dot(start - e.origin, e.normal), slope, same_line - r, r - same_line);
   }
   free.take_out(slab.from, slab.to);
 }

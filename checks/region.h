@@ -46,4 +46,7 @@ struct Region {
   }
 };
 
+// Those that are selected or may be, ascending.
+std::vector<FacetId> selected_facets(const Region& region);
+
 }  // namespace gabarit

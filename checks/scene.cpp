@@ -1,5 +1,6 @@
 #include "checks/scene.h"
 
+#include <map>
 #include <mutex>
 
 namespace gabarit {
@@ -7,6 +8,8 @@ namespace gabarit {
 struct Scene::Shared {
   std::once_flag adjacency_built;
   std::unique_ptr<Adjacency> adjacency;
+  std::mutex surfaces_guard;
+  std::map<SurfaceOptions, ContactSurface> surfaces;  // references stay good while it grows
 };
 
 Scene::Scene(const Model& model, Device device)
@@ -16,6 +19,16 @@ const Adjacency& Scene::adjacency() const {
   std::call_once(shared_->adjacency_built,
                  [this] { shared_->adjacency = std::make_unique<Adjacency>(mesh()); });
   return *shared_->adjacency;
+}
+
+const ContactSurface& Scene::surface(const SurfaceOptions& options) const {
+  const Adjacency& neighbours = adjacency();
+  const std::lock_guard lock(shared_->surfaces_guard);
+  auto place = shared_->surfaces.find(options);
+  if (place == shared_->surfaces.end()) {
+    place = shared_->surfaces.emplace(options, contact_surface(mesh(), neighbours, options, device_)).first;
+  }
+  return place->second;
 }
 
 }  // namespace gabarit

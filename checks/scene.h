@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "checks/contact_surface.h"
 #include "checks/frame.h"
 #include "checks/interval.h"
 #include "gpu/device.h"
@@ -21,6 +22,8 @@ class Scene {
   const Device& device() const { return device_; }
   // Adjacency of the whole mesh through T-junctions; built at the first call, safe from several threads.
   const Adjacency& adjacency() const;
+  // The tree that balls and rays are sent through, by its options; built at the first call, safe likewise.
+  const ContactSurface& surface(const SurfaceOptions& options) const;
 
  private:
   struct Shared;
@@ -29,11 +32,16 @@ class Scene {
   std::shared_ptr<Shared> shared_;
 };
 
+// Which value of a facet that has several is wanted: a limit from below asks for the smallest.
+enum class Extreme { smallest, greatest };
+
 // What a rule file says about the model and the place a selector stands in.
 struct Setup {
   Frame frame;
   double sag = 0.1;      // mm
   Interval height_band;  // above ground: `height` selectors beside a contact say how far the probe reaches
+  Extreme extreme = Extreme::smallest;
+  double resolution = 0;                          // mm: how finely the rule looks at large facets; 0: no rule
   std::function<void(double fraction)> progress;  // may be empty
 };
 

@@ -50,6 +50,21 @@ class SegmentGrid {
     }
   }
 
+  // Visits the numbers in the squares that a shape touches, a segment once a square. For each row of squares
+  // between `low` and `high`, spans(bottom, top, add) calls add(from, to) for every range of x of interest.
+  template <class Spans, class Visit>
+  void visit_rows(double low, double high, Spans&& spans, Visit&& visit) const {
+    for (std::size_t y = row(low); y <= row(high); ++y) {
+      const double bottom = origin_.y + static_cast<double>(y) * size_;
+      spans(bottom, bottom + size_, [&](double from, double to) {
+        if (!(from <= to)) return;
+        const std::uint32_t end = first_[y * columns_ + column(to) + 1];
+        for (std::uint32_t i = first_[y * columns_ + column(from)]; i < end; ++i) visit(numbers_[i]);
+      });
+    }
+  }
+  double size() const { return size_; }
+
  private:
   template <class Use>
   void for_each_square(const Segment2& s, Use&& use) const;

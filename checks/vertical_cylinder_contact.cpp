@@ -2,44 +2,20 @@
 
 #include <array>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "checks/certified.h"
 #include "checks/contact_depth.h"
 #include "checks/contact_notes.h"
+#include "checks/dexel_path.h"
 #include "checks/reach_grid.h"
+#include "checks/reachable_sides.h"
 #include "checks/sweep.h"
 
 namespace gabarit {
 namespace {
-
-// 1 or -1 when the polygon lies strictly to one side of its side i.
-int turn_of(const PlanPolygon& polygon, int i) {
-  const Point2 a = polygon.corner[static_cast<std::size_t>(i)];
-  const Point2 b = polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)];
-  for (int k = 2; k < polygon.size; ++k) {
-    const int side = side_of_line(a, b, polygon.corner[static_cast<std::size_t>((i + k) % polygon.size)]);
-    if (side != 0) return side;
-  }
-  return 0;
-}
-
-std::vector<PlanSide> reachable_sides(const PlanProjection& plan, const ReachGrid& grid) {
-  std::vector<PlanSide> sides;
-  for (FacetId f = 0; f < plan.facet_count(); ++f) {
-    const PlanPolygon polygon = plan.polygon(f);
-    if (polygon.size == 0 || !grid.reached(polygon)) continue;
-    for (int i = 0; i < polygon.size; ++i) {
-      const auto corner = static_cast<std::size_t>(i);
-      sides.push_back({polygon.corner[corner],
-                       polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)], f,
-                       polygon.edge[corner], turn_of(polygon, i)});
-    }
-  }
-  return sides;
-}
 
 // Rear-facing by more than float noise on a side wall.
 constexpr double rear_facing = 1e-3;
@@ -88,37 +64,72 @@ void drop_rear_facing(Region& region, const TriangleMesh& mesh, const Frame& fra
 
 }  // namespace
 
+// Between the lines; 0 when there are none.
+static double dexel_spacing(const VerticalCylinder& column) {
+  return column.method == ContactMethod::dexel ? column.spacing : 0;
+}
+
+struct Disk {
+  double radius, tolerance;
+};
+
+// The true disk, one that surely reaches and touches what the true surface lets it touch, and one that only
+// touches what it lets it touch for sure. From a place of the path there may be a diagonal of a square to one
+// that dexels know of, and what they take for a way may be narrower by half of it on either side.
+static std::array<Disk, 3> disks(const VerticalCylinder& column, double sag) {
+  const double diagonal = dexel_spacing(column) * std::numbers::sqrt2;
+  return {{{column.radius, column.tolerance},
+           {column.radius - sag, column.tolerance + diagonal},
+           {column.radius + sag + diagonal / 2, column.tolerance}}};
+}
+
+static DiskPath path_of(const VerticalCylinder& column, double radius, const OutlineFeatures& outline,
+                        const ReachGrid& reach, const Device& device) {
+  if (column.method == ContactMethod::dexel) return dexel_path(outline, radius, column.spacing, device);
+  const DiskPath path = disk_path(outline, radius, device, &reach);
+  return column.motion == Motion::sweep ? sweep_part(path) : path;
+}
+
+static void check(const VerticalCylinder& column, double sag) {
+  if (!(column.radius > sag)) throw std::invalid_argument("the column's radius must be larger than the sag");
+  if (column.method == ContactMethod::exact) return;
+  if (!(column.spacing > 0 && column.spacing < (column.radius - sag) / 2))
+    throw std::invalid_argument("the spacing of dexels must be less than a quarter of the column's diameter");
+  if (column.motion == Motion::sweep)
+    throw std::invalid_argument(
+        "the dexel method knows places of the column, not the way between them: use "
+        "method: exact for motion: sweep");
+}
+
 Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const VerticalCylinder& column) {
   const TriangleMesh& mesh = scene.mesh();
-  const double sag = setup.sag;
-  if (!(column.radius > sag)) throw std::invalid_argument("the column's radius must be larger than the sag");
+  check(column, setup.sag);
   Region region;
   region.facets.assign(mesh.facet_count(), Selected::no);
   region.edges.assign(mesh.facet_count(), {Selected::no, Selected::no, Selected::no});
   region.depth.assign(mesh.facet_count(), std::numeric_limits<float>::infinity());
   const PlanProjection plan(mesh, setup.frame, setup.height_band, scene.device());
   if (plan.empty()) {
-    region.notes = contact_notes(region, mesh, plan, {});
+    region.notes = contact_notes(region, mesh, plan, {}, 0);
     return region;
   }
 
-  const ReachGrid reach(plan, column.radius - sag, column.radius + sag, column.tolerance);
+  const std::array<Disk, 3> disk = disks(column, setup.sag);
+  const ReachGrid reach(plan, disk[1].radius, disk[2].radius, disk[1].tolerance, scene.device());
   const std::vector<PlanSide> sides = reachable_sides(plan, reach);
   const OutlineFeatures outline = outline_features(sides);
   const ContactDepth contact(sides, column.radius);
   std::array<DiskPath, 3> paths;
   std::array<std::vector<float>, 3> depths;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double radius = column.radius + (k == 0 ? 0 : k == 1 ? -sag : sag);
-    paths[k] = disk_path(outline, radius, scene.device(), &reach);
-    if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k]);
-    depths[k] = contact.along(paths[k], column.tolerance);
+    paths[k] = path_of(column, disk[k].radius, outline, reach, scene.device());
+    depths[k] = contact.along(paths[k], disk[k].tolerance, scene.device());
     if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
   }
   select(region, sides, depths);
   if (column.motion == Motion::forward) drop_rear_facing(region, mesh, setup.frame);
-  region.traces = contact_traces(paths[0], setup.frame);
-  region.notes = contact_notes(region, mesh, plan, paths[0]);
+  if (column.method == ContactMethod::exact) region.traces = contact_traces(paths[0], setup.frame);
+  region.notes = contact_notes(region, mesh, plan, paths[0], dexel_spacing(column));
   return region;
 }
 
@@ -128,6 +139,12 @@ static Region select_contact(const Scene& scene, const Setup& setup, const Argum
   const std::string& motion = arguments.text("motion");
   column.motion = motion == "forward" ? Motion::forward : motion == "sweep" ? Motion::sweep : Motion::any;
   column.tolerance = std::max(1e-3, arguments.has("tolerance") ? arguments.number("tolerance") : setup.sag);
+  if (arguments.text("method") == "dexel") column.method = ContactMethod::dexel;
+  if (arguments.has("spacing")) {
+    if (column.method != ContactMethod::dexel)
+      throw std::invalid_argument("spacing is that of dexels: it needs method: dexel beside it");
+    column.spacing = arguments.number("spacing");
+  }
   return vertical_cylinder_contact(scene, setup, column);
 }
 
@@ -136,8 +153,9 @@ static std::string sentence(const Arguments& arguments) {
   const char* how = motion == "forward" ? "while the vehicle moves forward"
                     : motion == "sweep" ? "while it passes from front to rear on either side"
                                         : "from any side";
-  return fmt::format("a vertical column of {:g} mm diameter can touch it {}", arguments.number("diameter"),
-                     how);
+  const char* found = arguments.text("method") == "dexel" ? " (by dexels)" : "";
+  return fmt::format("a vertical column of {:g} mm diameter can touch it {}{}", arguments.number("diameter"),
+                     how, found);
 }
 
 const Selector vertical_cylinder_contact_selector{
@@ -166,7 +184,10 @@ const Selector vertical_cylinder_contact_selector{
         "band can only uncover more of the rest.\n\n"
         "Source: M. Inui, N. Umezu, Extraction of vertical cylinder contacting area for motorcycle safety "
         "verification, Computer-Aided "
-        "Design and Applications. The paper samples the plan by dexels of 1 mm; here the path is exact.",
+        "Design and Applications. The paper samples the plan by dexels of 1 mm; here the path is exact. "
+        "method: dexel is the paper's, as a cross-check: the path is known only where the lines of a grid "
+        "cross it. What may hang on the places between them, up to 1.4 times the spacing, is maybe selected; "
+        "what it selects or leaves out for certain, so does the exact method.",
     .parameters = {{.name = "probe",
                     .dimension = Dimension::choice,
                     .documentation = "The body that touches.",
@@ -189,7 +210,19 @@ const Selector vertical_cylinder_contact_selector{
                     .default_text = {},
                     .optional = true,
                     .least = 1e-3,
-                    .greatest = 10}},
+                    .greatest = 10},
+                   {.name = "method",
+                    .dimension = Dimension::choice,
+                    .documentation = "How the path of the column is found.",
+                    .default_text = "exact",
+                    .choices = {"exact", "dexel"}},
+                   {.name = "spacing",
+                    .dimension = Dimension::length,
+                    .documentation = "Of the lines of dexels, with method: dexel only; without it 0.98 mm.",
+                    .default_text = {},
+                    .optional = true,
+                    .least = 0.01,
+                    .greatest = 100}},
     .select = select_contact,
     .height_band = nullptr,
     .sentence = sentence};

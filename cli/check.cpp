@@ -75,6 +75,15 @@ static std::string list_of_files(const std::string& folder, const std::vector<st
              : text + fmt::format("  and {} files of single rules in violations/ and fields/\n", small);
 }
 
+// The evidence is written by now: a full disk behind standard output does not change the verdict.
+static void print_summary(const std::string& text) {
+  try {
+    print_result(text);
+  } catch (const UsageError& error) {
+    print_error(error.message + "; the files are complete");
+  }
+}
+
 static int check_model(const Model& model, std::vector<RuleSet> sets, const CheckOptions& options,
                        const Device& device, RunRecord record, Progress& progress) {
   const Outcome outcome = run_rules(model, std::move(sets), options, device, progress);
@@ -91,7 +100,7 @@ static int check_model(const Model& model, std::vector<RuleSet> sets, const Chec
   progress.end();
   if (!files) return print(files.error()), exit_bad_input;
   if (!options.quiet)
-    print_result(terminal_report(report, terminal_style()) + list_of_files(options.out, *files));
+    print_summary(terminal_report(report, terminal_style()) + list_of_files(options.out, *files));
   return exit_code(outcome, options.fail_on_value());
 }
 

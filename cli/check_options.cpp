@@ -14,14 +14,20 @@ namespace gabarit {
 
 void CheckOptions::add_to(CLI::App& command) {
   model.add_file_to(command);
-  command.add_option("--rules", rules, "Rule file; may be given again")->required()->type_name("FILE");
+  command.add_option("--rules", rules, "Rule file; may be given again")
+      ->required()
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   command.add_option("--out", out, "Folder for the outputs; created if missing")
       ->required()
       ->type_name("DIR");
   model.add_options_to(command);
   command.add_option("--formats", formats, "Of pdf,stl,json,junit,sarif [pdf,stl,json]")->type_name("LIST");
   command.add_flag("--fields", fields, "Also write fields/RULE.ply");
-  command.add_option("--only", only, "Run these rules and no others")->delimiter(',')->type_name("RULE");
+  command.add_option("--only", only, "Run these rules and no others")
+      ->delimiter(',')
+      ->type_name("RULE")
+      ->allow_extra_args(false);
   command.add_option("--fail-on", fail_on, "fail, undecided or never [fail]")
       ->check(CLI::IsMember({"fail", "undecided", "never"}).description(""))
       ->type_name("WHEN");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/brep_text.h"
 #include "cli/command.h"
 #include "cli/exit_code.h"
 #include "cli/messages.h"
@@ -42,7 +43,7 @@ static int run_info(const ModelOptions& options) {
           model->file, model->sha256, model->format, name(model->unit),
           model->unit_declared ? "declared" : "assumed",
           model->sag ? number_text(*model->sag) + " mm" : "not declared") +
-      shape_text(*model) + defects_text(*model));
+      shape_text(*model) + brep_text(*model) + defects_text(*model));
   return exit_clean;
 }
 

@@ -1,15 +1,58 @@
+#include <algorithm>
 #include <array>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <new>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/command.h"
 #include "cli/exit_code.h"
 #include "cli/messages.h"
 #include "report/version.h"
+#include "rules/nearest_name.h"
 
 namespace gabarit {
+
+static std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+static std::string question(const std::string& word, const std::vector<std::string>& known) {
+  const auto nearest = nearest_name(word, known);
+  return nearest ? fmt::format("; did you mean `{}`?", *nearest) : std::string();
+}
+
+// The parser's own words, or the nearest known name when an option is mistyped.
+static UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  std::vector<const CLI::App*> parsed{&app};
+  for (const CLI::App* const command : app.get_subcommands()) parsed.push_back(command);
+  for (const CLI::App* const command : parsed) {
+    if (command->get_allow_extras()) continue;
+    for (const std::string& word : command->remaining()) {
+      if (!word.starts_with('-')) continue;
+      const std::string name = word.substr(0, word.find('='));
+      return {fmt::format("`{}` has no option `{}`{}", command->get_name(), name,
+                          question(name, option_names(*command)))};
+    }
+  }
+  return {error.what()};
+}
+
+static void require_known_command(CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* const command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
+  if (word.empty()) throw UsageError{"name a command: " + all};
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw UsageError{
+      fmt::format("there is no command `{}`{}\nThe commands are: {}", word, question(word, names), all)};
+}
 
 static int run(int argc, char** argv) {
   CLI::App app{"Checks CAD models against geometric safety rules."};
@@ -23,12 +66,13 @@ static int run(int argc, char** argv) {
   app.footer(
       "Each command has its own --help. Exit codes: 0 clean, 1 violation, 2 bad input,\n"
       "3 undecided or not run, 70 internal error.");
+  require_known_command(app, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    throw UsageError{error.what()};
+    throw usage_error(app, error);
   }
   for (const Command& command : commands) {
     if (command.app->parsed()) return command.run();

@@ -24,8 +24,9 @@ void print_error(const std::string& message) {
 }
 
 void print_result(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) == 0 || errno == EPIPE) return;
+  errno = 0;
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if ((std::fflush(stdout) == 0 && whole) || errno == EPIPE) return;
   throw UsageError{std::string("cannot write to standard output: ") + std::strerror(errno)};
 }
 

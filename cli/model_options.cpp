@@ -1,14 +1,18 @@
 #include "cli/model_options.h"
 
 #include <cmath>
+#include <csignal>
 
+#include <unistd.h>
+
+#include "cli/exit_code.h"
 #include "cli/messages.h"
 #include "rules/quantity.h"
 
 namespace gabarit {
 
 void ModelOptions::add_file_to(CLI::App& command) {
-  command.add_option("MODEL", file, "STL, OBJ, PLY or OFF file")->required()->type_name("");
+  command.add_option("MODEL", file, "STL, OBJ, PLY, OFF, STEP or IGES file")->required()->type_name("");
 }
 
 void ModelOptions::add_options_to(CLI::App& command) {
@@ -29,6 +33,15 @@ std::optional<double> ModelOptions::sag_length() const {
   return *length;
 }
 
+// What the system sends when a mapped file shrinks while it is read. Nothing has been written so far.
+extern "C" {
+static void stop_reading(int) {
+  static constexpr char text[] = "gabarit: error: the model file changed while it was read; run again\n";
+  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text, sizeof text - 1);
+  ::_exit(exit_bad_input);
+}
+}
+
 Result<Model> ModelOptions::load_model(Progress& progress) const {
   LoadOptions options;
   if (!units.empty()) options.unit = unit_named(units);
@@ -36,7 +49,9 @@ Result<Model> ModelOptions::load_model(Progress& progress) const {
   options.threads = threads;
   options.progress = [&](const char*, double fraction) { progress.update(fraction); };
   progress.begin("load");
+  auto* const before = std::signal(SIGBUS, stop_reading);
   Result<Model> model = load(file, options);
+  std::signal(SIGBUS, before);
   progress.end();
   print(model ? model->warnings : model.error());
   return model;

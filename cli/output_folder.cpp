@@ -13,6 +13,7 @@ namespace gabarit {
 namespace fs = std::filesystem;
 
 void check_output_folder(const fs::path& folder) {
+  if (folder.empty()) throw UsageError{"--out is empty: name a place for the outputs"};
   std::error_code ignored;
   fs::path there = fs::absolute(folder).lexically_normal();
   while (!fs::exists(there, ignored) && there != there.parent_path()) there = there.parent_path();
@@ -26,6 +27,7 @@ void check_output_folder(const fs::path& folder) {
 }
 
 void check_output_file(const fs::path& file) {
+  if (file.empty()) throw UsageError{"--out is empty: name a place for the output"};
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) throw UsageError{fmt::format("--out {}: is a folder", file.string())};
   const fs::path folder = fs::absolute(file).parent_path();

@@ -14,24 +14,40 @@ static double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
-Progress::Progress(bool shown) : shown_(shown) {}
+Progress::Progress(bool shown) {
+  if (shown) drawing_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
+}
+
+Progress::~Progress() { end(); }
 
 void Progress::begin(const std::string& stage) {
   end();
   const std::lock_guard guard(mutex_);
   stage_ = stage;
-  begun_ = drawn_ = Clock::now();
+  fraction_ = 0;
+  begun_ = Clock::now();
 }
 
 void Progress::update(double fraction) {
-  if (!shown_) return;
   const std::lock_guard guard(mutex_);
-  const Clock::time_point now = Clock::now();
-  if (stage_.empty() || seconds(now - begun_) < 1 || seconds(now - drawn_) < 0.1) return;
-  drawn_ = now;
+  fraction_ = std::clamp(fraction, 0.0, 1.0);
+}
+
+void Progress::draw_until(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested()) {
+    stopped_.wait_for(lock, stop, std::chrono::milliseconds(200), [] { return false; });
+    if (!stop.stop_requested()) draw();
+  }
+}
+
+void Progress::draw() {
+  const double running = seconds(Clock::now() - begun_);
+  if (stage_.empty() || running < 1) return;
+  std::string text = fmt::format("\r\033[K{:.60} {:.0f} s", stage_, running);
+  if (fraction_ > 0) text += fmt::format(" {:.0f} %", fraction_ * 100);
+  std::fputs(text.c_str(), stderr);
   line_ = true;
-  const double percent = fraction > 0 ? std::min(fraction, 1.0) * 100 : 0.0;
-  std::fputs(fmt::format("\r\033[K{:.60} {:3.0f} %", stage_, percent).c_str(), stderr);
 }
 
 void Progress::clear_line() {

@@ -1,5 +1,6 @@
 #include "gpu/bvh.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "gpu/bvh_build.h"
@@ -10,7 +11,7 @@ namespace {
 
 int corners(const Primitive& p) { return p.is_facet() ? 3 : 2; }
 
-Box3d bounds(const Surface& surface) {
+Box3d bounds(const FacetSurface& surface) {
   Box3d box;
   for (const Primitive& p : surface.primitives) {
     for (int i = 0; i < corners(p); ++i) box.add(surface.points[p.corner[static_cast<std::size_t>(i)]]);
@@ -18,7 +19,7 @@ Box3d bounds(const Surface& surface) {
   return box;
 }
 
-std::vector<BoxedPrimitive> boxed(const Device& device, const Surface& surface, const Vec3d& origin) {
+std::vector<BoxedPrimitive> boxed(const Device& device, const FacetSurface& surface, const Vec3d& origin) {
   std::vector<BoxedPrimitive> boxes(surface.primitives.size());
   parallel_for_cpu(
       device, static_cast<std::int64_t>(boxes.size()),
@@ -28,22 +29,23 @@ std::vector<BoxedPrimitive> boxed(const Device& device, const Surface& surface, 
         Box3d box;
         for (int c = 0; c < corners(p); ++c)
           box.add(surface.points[p.corner[static_cast<std::size_t>(c)]] - origin);
-        boxes[k].box.min = {round_down(box.min.x), round_down(box.min.y), round_down(box.min.z)};
-        boxes[k].box.max = {round_up(box.max.x), round_up(box.max.y), round_up(box.max.z)};
+        const auto s = static_cast<double>(p.sag);
+        boxes[k].box.min = {round_down(box.min.x - s), round_down(box.min.y - s), round_down(box.min.z - s)};
+        boxes[k].box.max = {round_up(box.max.x + s), round_up(box.max.y + s), round_up(box.max.z + s)};
         boxes[k].primitive = static_cast<std::uint32_t>(i);
       },
       16384);
   return boxes;
 }
 
-void reorder(Surface& surface, const std::vector<BoxedPrimitive>& order) {
+void reorder(FacetSurface& surface, const std::vector<BoxedPrimitive>& order) {
   std::vector<Primitive> sorted(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = surface.primitives[order[i].primitive];
   surface.primitives = std::move(sorted);
 }
 
 // Numbers the points in the order in which the tree meets them: neighbours share cache lines.
-void renumber_points(Surface& surface) {
+void renumber_points(FacetSurface& surface) {
   constexpr std::uint32_t unset = 0xffffffffU;
   std::vector<std::uint32_t> number(surface.points.size(), unset);
   std::vector<Vec3d> points;
@@ -61,7 +63,7 @@ void renumber_points(Surface& surface) {
 
 }  // namespace
 
-Bvh::Bvh(const Device& device, Surface surface) : device_(device) {
+Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   if (surface.primitives.size() >= (std::size_t{1} << 28))
     throw std::length_error("more than 268 million facets are too many for one tree");
   const Box3d box = bounds(surface);
@@ -74,7 +76,10 @@ Bvh::Bvh(const Device& device, Surface surface) : device_(device) {
   renumber_points(surface);
   add_cones(device, surface, origin_, tree);
   order_.reserve(surface.primitives.size());
-  for (const Primitive& p : surface.primitives) order_.push_back(p.id);
+  for (const Primitive& p : surface.primitives) {
+    order_.push_back(p.id);
+    greatest_sag_ = std::max(greatest_sag_, p.sag);
+  }
   nodes_ = {device, std::move(tree.nodes)};
   primitives_ = {device, std::move(surface.primitives)};
   points_ = {device, std::move(surface.points)};
@@ -85,7 +90,7 @@ Bvh::Bvh(const Device& device, Surface surface) : device_(device) {
 BvhView Bvh::view() const {
   return {
       nodes_.view(), primitives_.view(), points_.view(), fan_first_.view(), fan_directions_.view(), origin_,
-      reach_};
+      reach_,        greatest_sag_};
 }
 
 std::size_t Bvh::bytes() const {

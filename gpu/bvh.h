@@ -25,7 +25,7 @@ struct Primitive {
 };
 
 // What a tree is built over. Every number is finite; there are fewer than 2^28 primitives.
-struct Surface {
+struct FacetSurface {
   std::vector<Vec3d> points;
   std::vector<Primitive> primitives;
   std::vector<std::uint32_t> fan_first{0};  // one more than there are fans
@@ -54,7 +54,8 @@ struct BvhView {
   View<const std::uint32_t> fan_first;
   View<const Vec3f> fan_directions;
   Vec3d origin;
-  float reach = 0;  // greatest absolute coordinate relative to the origin
+  float reach = 0;         // greatest absolute coordinate relative to the origin
+  float greatest_sag = 0;  // of any primitive; the boxes and half-spaces are wider by the sags
 
   GABARIT_HD Vec3d corner(const Primitive& p, int i) const {
     return points[p.corner[static_cast<std::size_t>(i)]];
@@ -65,7 +66,7 @@ class Bvh {
  public:
   // Built on the CPU by binned surface area heuristic (Wald, On fast Construction of SAH-based Bounding
   // Volume Hierarchies, 2007), eight children at once; the same tree for any number of threads.
-  Bvh(const Device& device, Surface surface);
+  Bvh(const Device& device, FacetSurface surface);
 
   BvhView view() const;
   const Device& device() const { return device_; }
@@ -82,7 +83,7 @@ class Bvh {
   Buffer<Vec3f> fan_directions_;
   std::vector<std::uint32_t> order_;
   Vec3d origin_;
-  float reach_ = 0;
+  float reach_ = 0, greatest_sag_ = 0;
 };
 
 }  // namespace gabarit

@@ -29,7 +29,7 @@ struct SplitTree {
 SplitTree split_into_nodes(const Device& device, std::vector<BoxedPrimitive>& boxes);
 
 // Fills axis, offset and cone of every child. `surface.primitives` must be in the order of the tree.
-void add_cones(const Device& device, const Surface& surface, const Vec3d& origin, SplitTree& tree);
+void add_cones(const Device& device, const FacetSurface& surface, const Vec3d& origin, SplitTree& tree);
 
 inline float round_down(double x) {
   const auto f = static_cast<float>(x);

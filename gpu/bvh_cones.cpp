@@ -25,7 +25,7 @@ Vec3f mean_normal(std::span<const Primitive> primitives) {
   return {static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)};
 }
 
-Cone cone_around(const Surface& surface, std::span<const Primitive> primitives, const Vec3d& origin) {
+Cone cone_around(const FacetSurface& surface, std::span<const Primitive> primitives, const Vec3d& origin) {
   Cone cone;
   cone.axis = mean_normal(primitives);
   if (cone.axis == Vec3f{}) return cone;
@@ -34,7 +34,7 @@ Cone cone_around(const Surface& surface, std::span<const Primitive> primitives, 
   double cosine = 1;
   for (const Primitive& p : primitives) {
     for (std::size_t i = 0; i < (p.is_facet() ? 3U : 2U); ++i)
-      least = std::min(least, dot(axis, surface.points[p.corner[i]] - origin));
+      least = std::min(least, dot(axis, surface.points[p.corner[i]] - origin) - static_cast<double>(p.sag));
     cosine = p.is_facet() ? std::min(cosine, dot(axis, to_double(p.normal))) : -1;
   }
   cone.offset = round_down(least);
@@ -44,7 +44,7 @@ Cone cone_around(const Surface& surface, std::span<const Primitive> primitives, 
 
 }  // namespace
 
-void add_cones(const Device& device, const Surface& surface, const Vec3d& origin, SplitTree& tree) {
+void add_cones(const Device& device, const FacetSurface& surface, const Vec3d& origin, SplitTree& tree) {
   const std::span<const Primitive> all(surface.primitives);
   parallel_for_cpu(
       device, static_cast<std::int64_t>(tree.nodes.size()),

@@ -7,7 +7,7 @@
 namespace gabarit {
 namespace {
 
-constexpr std::uint32_t leaf_size = 4;
+constexpr std::uint32_t leaf_size = 6;
 constexpr int bin_count = 16;
 // From this depth on ranges are halved by count: no input makes the tree deeper than the queries' stacks.
 constexpr int greatest_sah_depth = 14;

@@ -3,6 +3,8 @@
 #include "gpu/maximal_sphere.h"
 #include "gpu/maximal_sphere_kernel.h"
 #include "gpu/parallel_for.h"
+#include "gpu/sphere_lower_bound.h"
+#include "gpu/traverse.h"
 
 namespace gabarit {
 namespace {
@@ -17,6 +19,16 @@ struct SphereRuns {
   View<const SphereQuery> queries;
   View<SphereContact> contacts;
 
+  GABARIT_HD bool is_loose(const SphereQuery& q) const {
+    return q.sag > 0 || q.spacing > 0 || q.tilt > 0 || tree.greatest_sag > 0;
+  }
+  GABARIT_HD double lower_bound(const SphereQuery& query, double known, const Primitive* contact) const {
+    SphereLowerBound bound(tree, options, query, known);
+    if (contact != nullptr) bound.visit(*contact);
+    traverse(tree, bound);
+    return bound.result();
+  }
+
   GABARIT_HD void operator()(std::int64_t run) const {
     const Primitive* guess = nullptr;
     const std::int64_t end = (run + 1) * length < queries.size ? (run + 1) * length : queries.size;
@@ -25,6 +37,8 @@ struct SphereRuns {
       if (guess != nullptr) sphere.visit(*guess);
       traverse(tree, sphere);
       contacts[i] = sphere.result();
+      if (is_loose(queries[i]))
+        contacts[i].lower = lower_bound(queries[i], contacts[i].lower, sphere.touched());
       if (sphere.touched() != nullptr) guess = sphere.touched();
     }
   }

@@ -10,6 +10,12 @@
 #define GABARIT_CUDA_COMPILER 0
 #endif
 
+#if defined(__CUDA_ARCH__)
+#define GABARIT_ON_GPU 1
+#else
+#define GABARIT_ON_GPU 0
+#endif
+
 #if defined(__x86_64__) && defined(__GNUC__)
 #define GABARIT_X86 1
 #else

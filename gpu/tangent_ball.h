@@ -39,35 +39,41 @@ GABARIT_HD inline TangentBall ball_through_segment(const Vec3d& d, const Vec3d& 
   return ball_through_point(d, s == 1 ? b : a + s * e);
 }
 
-// Whether p, in the plane of the triangle with normal n, lies inside it or on its boundary.
-GABARIT_HD inline bool inside_triangle(const Vec3d& p, const Vec3d& a, const Vec3d& b, const Vec3d& c,
-                                       const Vec3d& n) {
-  return dot(cross(b - a, p - a), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
-         dot(cross(a - c, p - c), n) >= 0;
-}
-
 // Gives up, with an infinite radius, once the answer is sure to be above `limit`. A triangle without a normal
 // has no plane: nothing is found.
 GABARIT_HD inline TangentBall ball_through_triangle(const Vec3d& d, const Vec3d& a, const Vec3d& b,
                                                     const Vec3d& c, double limit) {
-  const Vec3d raw = cross(b - a, c - a);
+  const Vec3d ab = b - a, bc = c - b, ca = a - c;
+  const Vec3d raw = cross(ca, ab);
   const double area = length(raw);
   if (!(area > 0)) return {};
   Vec3d m = raw / area;
   double h = dot(m, a);
   if (h < 0) h = -h, m = -m;  // m points from the origin to the plane
   const double spread = 1 + dot(m, d);
+  bool beyond_ab = true, beyond_bc = true, beyond_ca = true;
   if (spread > 0) {
     const double t = h / spread;
     if (t > limit) return {};
     const Vec3d p = t * (d + m);
-    if (inside_triangle(p, a, b, c, raw)) return {t, p};
+    beyond_ab = dot(cross(ab, p - a), raw) < 0;
+    beyond_bc = dot(cross(bc, p - b), raw) < 0;
+    beyond_ca = dot(cross(ca, p - c), raw) < 0;
+    if (!beyond_ab && !beyond_bc && !beyond_ca) return {t, p};
   }
-  TangentBall best = ball_through_segment(d, a, b);
-  const TangentBall bc = ball_through_segment(d, b, c);
-  if (bc.radius < best.radius) best = bc;
-  const TangentBall ca = ball_through_segment(d, c, a);
-  return ca.radius < best.radius ? ca : best;
+  // Balls cut the plane in nested disks: the smallest that reaches the triangle does so at an edge that the
+  // smallest of all lies beyond.
+  TangentBall best;
+  if (beyond_ab) best = ball_through_segment(d, a, b);
+  if (beyond_bc) {
+    const TangentBall other = ball_through_segment(d, b, c);
+    if (other.radius < best.radius) best = other;
+  }
+  if (beyond_ca) {
+    const TangentBall other = ball_through_segment(d, c, a);
+    if (other.radius < best.radius) best = other;
+  }
+  return best;
 }
 
 }  // namespace gabarit

@@ -13,10 +13,16 @@ static bool finite(const TriangleMesh& mesh, FacetId f) {
 // Facets over the same three vertices all lie on the edge between their two lowest ones.
 static std::uint64_t duplicates_on(const TriangleMesh& mesh, std::span<const HalfEdgeId> edge) {
   if (edge.size() < 2) return 0;
+  const auto opposite_of = [&](HalfEdgeId h) { return mesh.facets[h / 3][(h % 3 + 2) % 3]; };
+  if (edge.size() == 2) {
+    const auto& corners = mesh.facets[edge[0] / 3];
+    const VertexId opposite = opposite_of(edge[0]);
+    return opposite == opposite_of(edge[1]) && opposite == *std::max_element(corners.begin(), corners.end());
+  }
   std::vector<VertexId> third;
   for (const HalfEdgeId h : edge) {
-    std::array<VertexId, 3> corners = mesh.facets[h / 3];
-    const VertexId opposite = corners[(h % 3 + 2) % 3];
+    const auto& corners = mesh.facets[h / 3];
+    const VertexId opposite = opposite_of(h);
     if (opposite == *std::max_element(corners.begin(), corners.end())) third.push_back(opposite);
   }
   std::sort(third.begin(), third.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -59,9 +60,33 @@ class EdgeGrid {
   }
 
  private:
+  // The part of a segment inside the grid's box, so that no edge takes more steps than the grid has cubes;
+  // none when it passes by.
+  std::optional<Segment> inside(const Segment& s) const {
+    double from = 0;
+    double to = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double d = s.to[axis] - s.from[axis];
+      const double low = (box_.min[axis] - s.from[axis]) / d;
+      const double high = (box_.max[axis] - s.from[axis]) / d;
+      if (d == 0) {
+        if (s.from[axis] < box_.min[axis] || s.from[axis] > box_.max[axis]) return std::nullopt;
+      } else {
+        from = std::max(from, std::min(low, high));
+        to = std::min(to, std::max(low, high));
+      }
+    }
+    if (from > to) return std::nullopt;
+    const Vec3d along = s.to - s.from;
+    return Segment{s.from + along * from, s.from + along * to};
+  }
+
   // Every cube within the tolerance of the segment: the cubes around each of its samples' corners.
   template <class Visit>
-  void for_each_cube(const Segment& s, Visit&& visit) const {
+  void for_each_cube(const Segment& whole, Visit&& visit) const {
+    const std::optional<Segment> part = inside(whole);
+    if (!part) return;
+    const Segment& s = *part;
     const double l = length(s.to - s.from);
     const auto steps = static_cast<std::int64_t>(std::ceil(2 * l / size_));
     const double reach = tolerance_ + 0.25 * size_;

@@ -11,10 +11,11 @@
 namespace gabarit {
 
 struct LoadOptions {
-  std::optional<Unit> unit;   // of the coordinates in the file; not given: millimetres, said as assumed
-  std::optional<double> sag;  // mm
-  int threads = 0;            // 0: all cores
-  std::function<void(const char* stage, double fraction)> progress;  // may be empty
+  std::optional<Unit> unit = {};   // of the coordinates in the file; not given: millimetres, said as assumed
+  std::optional<double> sag = {};  // mm; of the facets in the file, or of those made of exact surfaces
+  int threads = 0;                 // 0: all cores
+  double time_limit = 900;         // seconds that a STEP or IGES file may take
+  std::function<void(const char* stage, double fraction)> progress = {};  // may be empty
 };
 
 // Errors name the file, the place (byte or line) and what to do. A model without a single measurable facet is

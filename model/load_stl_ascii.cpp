@@ -1,17 +1,21 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "model/load_stl.h"
+#include "model/number_word.h"
 #include "model/text_encoding.h"
 #include "model/weld.h"
 
 namespace gabarit {
 namespace {
+
+bool is(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
 
 // Words of the file, lower-cased by comparison; comments (#, ; and //) end at the end of their line.
 class Words {
@@ -25,13 +29,23 @@ class Words {
     return text_.substr(begin, at_ - begin);
   }
 
-  std::string_view rest_of_line() {
-    const std::size_t begin = std::min(at_, text_.size());
-    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
-    std::string_view rest = text_.substr(begin, at_ - begin);
-    while (!rest.empty() && blank(rest.front())) rest.remove_prefix(1);
-    while (!rest.empty() && blank(rest.back())) rest.remove_suffix(1);
-    return rest;
+  // What stands behind "solid" or "endsolid": up to the end of the line, to a comment that exporters write
+  // there, or to the next facet of a file that is all one line.
+  std::string_view name() {
+    while (at_ < text_.size() && blank(text_[at_]) && !line_end(text_[at_])) ++at_;
+    const std::size_t begin = at_;
+    std::size_t end = at_;
+    while (at_ < text_.size() && !line_end(text_[at_]) && text_[at_] != '#') {
+      const std::size_t word = at_;
+      while (at_ < text_.size() && !blank(text_[at_])) ++at_;
+      if (begins_part(word)) {
+        at_ = word;
+        break;
+      }
+      end = at_;
+      while (at_ < text_.size() && blank(text_[at_]) && !line_end(text_[at_])) ++at_;
+    }
+    return text_.substr(begin, end - begin);
   }
 
   // Counted only when somebody asks, which is when something is wrong. CR, LF and CRLF each end a line.
@@ -46,12 +60,21 @@ class Words {
  private:
   static bool blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+  static bool line_end(char c) { return c == '\n' || c == '\r'; }
+
+  // "facet normal" and "endsolid" are no part of a name.
+  bool begins_part(std::size_t word) const {
+    Words ahead(text_.substr(word, 64));
+    const std::string_view first = ahead.next();
+    return is(first, "endsolid") || (is(first, "facet") && is(ahead.next(), "normal"));
+  }
+
   void skip_blank() {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       const bool slashes = c == '/' && at_ + 1 < text_.size() && text_[at_ + 1] == '/';
       if (c == '#' || c == ';' || slashes) {
-        rest_of_line();
+        while (at_ < text_.size() && !line_end(text_[at_])) ++at_;
       } else if (blank(c)) {
         ++at_;
       } else {
@@ -63,24 +86,6 @@ class Words {
   std::string_view text_;
   std::size_t at_ = 0;
 };
-
-bool is(std::string_view word, std::string_view lower) {
-  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
-                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
-}
-
-bool read_number(std::string_view word, double& value) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size() || word.empty()) return false;
-  if (error == std::errc::result_out_of_range) {
-    // Too large is not finite, which is counted as a defect; too small is zero.
-    const bool large = word.find("e-") == std::string_view::npos && word.find("E-") == std::string_view::npos;
-    value = large ? std::numeric_limits<double>::infinity() : 0.0;
-    return true;
-  }
-  return error == std::errc{};
-}
 
 class AsciiStl {
  public:
@@ -96,7 +101,7 @@ class AsciiStl {
       if (is(word, "solid")) {
         begin_solid();
       } else if (is(word, "endsolid")) {
-        words_.rest_of_line();
+        words_.name();
         in_solid_ = false;
       } else if (is(word, "facet")) {
         facet();
@@ -104,6 +109,9 @@ class AsciiStl {
         fail(word, "'solid', 'facet' or 'endsolid'");
       }
     }
+    // Without it nobody can tell a whole file from one that was cut short between two facets.
+    if (in_solid_) fail({}, "'endsolid'");
+    tell_of_names();
     return errors_;
   }
 
@@ -115,25 +123,25 @@ class AsciiStl {
     errors_.push_back({.file = file_,
                        .line = words_.line(),
                        .column = 1,
-                       .message = fmt::format("{} where {} should stand", what, wanted)});
+                       .message = fmt::format("{} where {} should stand{}", what, wanted,
+                                              found.empty() ? ": it is cut short; export it again" : "")});
   }
 
   void begin_solid() {
-    std::string_view given = words_.rest_of_line();
-    // Exporters write comments behind the name.
-    if (const auto comment = given.find('#'); comment != std::string_view::npos)
-      given = given.substr(0, comment);
-    while (given.ends_with(' ') || given.ends_with('\t')) given.remove_suffix(1);
+    const std::string_view given = words_.name();
     const std::string name = valid_utf8(given);
-    if (name != given) {
-      model_.warnings.push_back({.level = Diagnostic::Level::warning,
-                                 .file = file_,
-                                 .line = words_.line(),
-                                 .column = 1,
-                                 .message = "the solid's name is not UTF-8; unreadable bytes were replaced"});
-    }
+    names_repaired_ += name != given;
     model_.bodies.push_back(name.empty() ? fmt::format("solid {}", model_.bodies.size() + 1) : name);
     in_solid_ = true;
+  }
+
+  void tell_of_names() {
+    if (names_repaired_ == 0) return;
+    model_.warnings.push_back(
+        {.level = Diagnostic::Level::warning,
+         .file = file_,
+         .message = fmt::format("{} names of solids are not plain UTF-8; what cannot be read was replaced",
+                                names_repaired_)});
   }
 
   void expect(std::string_view wanted) {
@@ -182,9 +190,15 @@ class AsciiStl {
   VertexWeld weld_;
   Diagnostics errors_;
   bool in_solid_ = false;
+  std::uint64_t names_repaired_ = 0;
 };
 
 }  // namespace
+
+bool begins_as_ascii_stl(std::string_view text) {
+  const std::string_view first = Words(text).next();
+  return is(first, "solid") || is(first, "facet");
+}
 
 Diagnostics load_ascii_stl(std::string_view text, const std::string& name, double scale, Model& model) {
   model.format = "ASCII STL";

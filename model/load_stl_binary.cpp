@@ -24,14 +24,20 @@ static bool has_word(std::string_view text, std::string_view word) {
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+bool has_announced_size(std::string_view bytes) {
+  return bytes.size() >= header_bytes &&
+         bytes.size() == header_bytes + facet_bytes * std::size_t{announced_facets(bytes)};
+}
+
 StlKind stl_kind(std::string_view bytes) {
-  const bool counted = bytes.size() >= header_bytes;
-  if (counted && bytes.size() == header_bytes + facet_bytes * std::size_t{announced_facets(bytes)})
-    return StlKind::binary;
+  if (has_announced_size(bytes)) return StlKind::binary;
   const std::string_view start = bytes.substr(0, 4096);
   const bool text = start.find('\0') == std::string_view::npos;
   if (text && (has_word(start, "solid") || has_word(start, "facet"))) return StlKind::ascii;
-  return counted && !text ? StlKind::binary : StlKind::neither;
+  // Text with a damaged byte in it: the reader says where.
+  if (begins_as_ascii_stl(start) && has_word(start, "normal") && has_word(start, "vertex"))
+    return StlKind::ascii;
+  return bytes.size() >= header_bytes && !text ? StlKind::binary : StlKind::neither;
 }
 
 static Diagnostics check_size(std::string_view bytes, const std::string& name, Model& model) {
@@ -49,6 +55,11 @@ static Diagnostics check_size(std::string_view bytes, const std::string& name, M
              .message = fmt::format(
                  "the header announces {} facets, the file holds {}: the header is wrong; export it again",
                  announced, present)}};
+  }
+  if (announced > most_facets) {
+    return {{.file = name,
+             .message = fmt::format("has {} facets, {} are the most that can be numbered; split the model",
+                                    announced, most_facets)}};
   }
   if (rest != 0) {
     model.warnings.push_back({.level = Diagnostic::Level::warning,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/box.h"
+#include "model/brep.h"
 #include "model/defects.h"
 #include "model/result.h"
 #include "model/triangle_mesh.h"
@@ -23,9 +24,10 @@ struct Model {
   std::string sha256;               // of the file's bytes, 64 hexadecimal digits
   Unit unit = Unit::mm;             // of the file's coordinates
   bool unit_declared = false;       // by the user or the file; otherwise assumed
-  std::optional<double> sag;        // mm, when the file or the user declares it
+  std::optional<double> sag;        // mm, when the user declares it or the facets were made here
   std::vector<std::string> bodies;  // names by body number, UTF-8, never empty strings
   TriangleMesh mesh;
+  std::optional<Brep> brep;  // the exact surfaces, when the file had them
   Box3d box;
   Defects defects;
   Diagnostics warnings;  // implausible size, repaired text encodings, …

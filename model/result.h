@@ -1,7 +1,6 @@
 // A value or the reasons why there is none; the member names of std::expected, which this compiler lacks.
 #pragma once
 
-#include <cassert>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -20,10 +19,10 @@ class [[nodiscard]] Result {
 
   bool has_value() const { return content_.index() == 0; }
   explicit operator bool() const { return has_value(); }
-  T& value() { return assert(has_value()), *std::get_if<0>(&content_); }
-  const T& value() const { return assert(has_value()), *std::get_if<0>(&content_); }
-  E& error() { return assert(!has_value()), *std::get_if<1>(&content_); }
-  const E& error() const { return assert(!has_value()), *std::get_if<1>(&content_); }
+  T& value() { return std::get<0>(content_); }
+  const T& value() const { return std::get<0>(content_); }
+  E& error() { return std::get<1>(content_); }
+  const E& error() const { return std::get<1>(content_); }
   T& operator*() { return value(); }
   const T& operator*() const { return value(); }
   T* operator->() { return &value(); }

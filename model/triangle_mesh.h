@@ -12,9 +12,13 @@ namespace gabarit {
 
 using FacetId = std::uint32_t;
 using VertexId = std::uint32_t;
+// Half-edges, three a facet, are numbered by 32 bits; loaders refuse more.
+inline constexpr std::uint64_t most_facets = 0xFFFFFFFFU / 3;
 
 struct TriangleMesh {
-  std::vector<Vec3d> vertices;                  // equal coordinates (bit for bit, -0 = 0) are one vertex
+  // Equal coordinates (bit for bit, -0 = 0) are one vertex; facets made of exact surfaces share vertices
+  // where the faces of their body share an edge, and nowhere else.
+  std::vector<Vec3d> vertices;
   std::vector<std::array<VertexId, 3>> facets;  // as in the file: none dropped, merged or re-ordered
   std::vector<std::uint32_t> body;  // which body each facet belongs to; empty: all belong to body 0
 

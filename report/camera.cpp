@@ -39,7 +39,7 @@ static Camera view_around(const Box3d& box, const Frame& frame, double azimuth, 
   return view_of(box, toward, cross(frame.up, level), aspect);
 }
 
-std::vector<View> fixed_views(const Box3d& box, const Frame& frame, double aspect) {
+std::vector<NamedView> fixed_views(const Box3d& box, const Frame& frame, double aspect) {
   const Vec3d rear = -frame.forward;
   const Vec3d left = frame.left();
   constexpr double degree = 0.017453292519943295;
@@ -66,13 +66,13 @@ static void fit(Camera& camera, const TriangleMesh& mesh, const std::vector<bool
   show(camera, page.extent().x, page.extent().y, aspect);
 }
 
-std::vector<View> fixed_views(const TriangleMesh& mesh, const Frame& frame, double aspect) {
+std::vector<NamedView> fixed_views(const TriangleMesh& mesh, const Frame& frame, double aspect) {
   std::vector<bool> used(mesh.vertices.size());
   for (const auto& facet : mesh.facets) {
     for (const VertexId v : facet) used[v] = true;
   }
-  std::vector<View> views = fixed_views(bounding_box(mesh), frame, aspect);
-  for (View& view : views) fit(view.camera, mesh, used, aspect);
+  std::vector<NamedView> views = fixed_views(bounding_box(mesh), frame, aspect);
+  for (NamedView& view : views) fit(view.camera, mesh, used, aspect);
   return views;
 }
 

@@ -19,16 +19,16 @@ struct Camera {
   Vec3d toward() const { return cross(right, up); }  // from the model to the eye
 };
 
-struct View {
+struct NamedView {
   std::string name;  // such as "front left, from above"
   Camera camera;
 };
 
 // The views of a report: front, rear, left, right, top, bottom, then front left and rear right from above;
 // each shows the whole box with a margin at the picture's aspect (width / height).
-std::vector<View> fixed_views(const Box3d& box, const Frame& frame, double aspect);
+std::vector<NamedView> fixed_views(const Box3d& box, const Frame& frame, double aspect);
 // The same for the facets themselves: closer where the box has empty corners.
-std::vector<View> fixed_views(const TriangleMesh& mesh, const Frame& frame, double aspect);
+std::vector<NamedView> fixed_views(const TriangleMesh& mesh, const Frame& frame, double aspect);
 
 // A close-up: looks against `outward` (as far as that can be told from straight up), `extent` mm across.
 Camera close_up(const Vec3d& at, const Vec3d& outward, const Frame& frame, double extent, double aspect);

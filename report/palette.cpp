@@ -9,7 +9,7 @@ namespace gabarit {
 
 // From the worst value to the limit, and from the limit to the best.
 static constexpr std::array beyond{Rgb{110, 8, 26}, Rgb{178, 24, 36}, Rgb{222, 62, 40}, Rgb{244, 109, 60}};
-static constexpr std::array within{Rgb{236, 243, 246}, Rgb{190, 221, 236}, Rgb{116, 173, 209}};
+static constexpr std::array within{Rgb{254, 246, 205}, Rgb{192, 222, 224}, Rgb{116, 173, 209}};
 static constexpr std::array viridis{Rgb{68, 1, 84},    Rgb{70, 50, 127},  Rgb{54, 92, 141},
                                     Rgb{39, 127, 142}, Rgb{31, 161, 135}, Rgb{74, 194, 109},
                                     Rgb{159, 218, 58}, Rgb{253, 231, 37}};

@@ -21,7 +21,8 @@ inline constexpr Rgb trace{28, 78, 150};           // the path of a probe, drawn
 }  // namespace palette
 
 enum class ColourMap {
-  by_limit,     // dark red to orange beyond the limit, pale to blue within: L* alone tells the sides apart
+  by_limit,     // dark red to orange beyond the limit, pale yellow to blue within: L* alone tells the sides
+                // apart
   sequential,   // viridis, dark is low; for fields without a limit
   red_to_blue,  // red is low, blue is high, over yellow and green, as in Inui, Umezu & Shimane
 };

@@ -46,6 +46,7 @@ void draw_with_emphasis(const Job& job, int number, Tile& tile) {
 }
 
 void draw_tile(const Job& job, int number, Film& film) {
+  if (job.bins->of(number).empty() && job.bins->large().empty() && job.lines.empty()) return;
   Tile tile;
   const Drawing& drawing = *job.facets.drawing;
   tile.left = (number % job.bins->columns() * tile_pixels - rim_pixels) * samples_per_pixel;
@@ -80,7 +81,7 @@ Picture render(const Drawing& drawing, const Camera& camera, int width, int heig
   const std::vector<ScreenPoint> points = on_screen(*drawn.mesh, screen, device);
   const TileBins bins(*drawn.mesh, points, drawn.marked, screen, device);
   const Job job{{&drawn, &screen, &points}, &bins, placed(drawn.lines, screen)};
-  Film film(width, height);
+  Film film(width, height, light_of(drawn.background));
   parallel_for_cpu(
       device, bins.tiles(), [&](std::int64_t tile) { draw_tile(job, static_cast<int>(tile), film); }, 1);
   return developed(film, drawn.occlusion, device);

@@ -14,11 +14,11 @@ static void put_word(unsigned char* to, std::uint32_t word) {
 }
 
 static void put_point(unsigned char* to, const Vec3d& p) {
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis, to += 4) {
     const auto coordinate = static_cast<float>(p[axis]);
     std::uint32_t word = 0;
     std::memcpy(&word, &coordinate, sizeof word);
-    put_word(to + 4 * axis, word);
+    put_word(to, word);
   }
 }
 
@@ -33,9 +33,9 @@ void write_stl(const TriangleMesh& mesh, const std::vector<FacetId>& facets, con
   file.write(header.data(), header.size());
   for (const FacetId f : facets) {
     std::array<unsigned char, 50> record{};
-    put_point(record.data(), facet_normal(mesh, f));
-    for (int corner = 0; corner < 3; ++corner)
-      put_point(record.data() + 12 * (corner + 1), mesh.corner(f, corner));
+    unsigned char* to = record.data();
+    put_point(to, facet_normal(mesh, f));
+    for (int corner = 0; corner < 3; ++corner) put_point(to += 12, mesh.corner(f, corner));
     file.write(record.data(), record.size());
   }
 }

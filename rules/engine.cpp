@@ -8,6 +8,7 @@
 #include "rules/region.h"
 #include "rules/setup.h"
 #include "rules/totals.h"
+#include "rules/verdict.h"
 
 namespace gabarit {
 
@@ -46,9 +47,44 @@ const RuleResult* earlier(const Outcome& outcome, const RuleResult& result) {
   return nullptr;
 }
 
+bool same_limit(const Limit& a, const Limit& b) {
+  return a.kind == b.kind && a.low == b.low && a.high == b.high;
+}
+
 bool measures_the_same(const RuleResult& a, const RuleResult& b) {
   return a.rule.require.measure == b.rule.require.measure &&
-         a.rule.require.arguments.all() == b.rule.require.arguments.all();
+         a.rule.require.arguments.all() == b.rule.require.arguments.all() &&
+         (!a.rule.require.measure->varies_within_facets ||
+          same_limit(a.rule.require.limit, b.rule.require.limit));
+}
+
+// What a measure has to know of the limit: which value of a facet decides, and how finely to look.
+Setup asked_by(Setup setup, const Limit& limit, Extreme extreme) {
+  setup.extreme = extreme;
+  // Between two places the smallest value is bounded, the greatest only estimated: it is looked for more
+  // finely.
+  setup.resolution = extreme == Extreme::smallest ? limit.low / 2 : limit.high / 16;
+  return setup;
+}
+
+// Of `between`, facets that break or may break the upper limit take their greatest value.
+void take_greatest(const Limit& limit, Field& field, const Field& greatest) {
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Limit low{.kind = Limit::Kind::at_least, .low = limit.low};
+    const Limit high{.kind = Limit::Kind::at_most, .high = limit.high};
+    const FacetVerdict below = judge(field.lower[i], field.upper[i], low, Selected::yes);
+    const FacetVerdict above = judge(greatest.lower[i], greatest.upper[i], high, Selected::yes);
+    const bool worse = above == FacetVerdict::fail
+                           ? below != FacetVerdict::fail
+                           : above == FacetVerdict::undecided && below == FacetVerdict::pass;
+    if (!worse) continue;
+    field.value[i] = greatest.value[i];
+    field.lower[i] = greatest.lower[i];
+    field.upper[i] = greatest.upper[i];
+    field.at[i] = greatest.at[i];
+    field.contact[i] = greatest.contact[i];
+    field.absence[i] = greatest.absence[i];
+  }
 }
 
 bool selects_nothing(const Region& region) {
@@ -68,9 +104,15 @@ void examine(Run& run, RuleResult& result) {
   if (before && measures_the_same(*before, result)) {
     result.field = before->field;
   } else if (!selects_nothing(result.region)) {
-    result.field =
-        require.measure->measure(*run.scene, with_progress(setup, *run.options, result.rule.id, highest, 0.5),
-                                 result.region, require.arguments);
+    const Setup half = with_progress(setup, *run.options, result.rule.id, highest, 0.5);
+    const Limit& limit = require.limit;
+    const auto field = [&](Extreme extreme) {
+      return require.measure->measure(*run.scene, asked_by(half, limit, extreme), result.region,
+                                      require.arguments);
+    };
+    result.field = field(limit.kind == Limit::Kind::at_most ? Extreme::greatest : Extreme::smallest);
+    if (limit.kind == Limit::Kind::between && require.measure->varies_within_facets)
+      take_greatest(limit, result.field, field(Extreme::greatest));
   }
   judge_field(run.scene->model(), result);
 }

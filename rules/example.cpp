@@ -48,7 +48,8 @@ std::string example(const Selector& selector) {
 std::string example(const Measure& measure) {
   const Parameter limit{.name = "at least", .dimension = measure.dimension, .documentation = {}};
   std::string value = measure.dimension == Dimension::length ? "4 mm" : value_of(limit, 1);
-  const std::string others = pairs(measure.parameters, {}, true);
+  std::string others = pairs(measure.parameters, {}, true);
+  if (others.size() > 60) others = pairs(measure.parameters, {}, false);  // a line has 90 columns
   return fmt::format("require:\n  {}: {{at least: {}{}{}}}\n", measure.name, value,
                      others.empty() ? "" : ", ", others);
 }

@@ -9,8 +9,9 @@
 namespace gabarit {
 
 // `bumps`: height of the bumps as a share of the radius; 0 gives a ball.
-inline Surface bumpy_ball(int rings, int segments, double radius, double bumps, const Vec3d& centre = {}) {
-  Surface surface;
+inline FacetSurface bumpy_ball(int rings, int segments, double radius, double bumps,
+                               const Vec3d& centre = {}) {
+  FacetSurface surface;
   const auto point = [&](int ring, int segment) {
     const double theta = std::numbers::pi * ring / rings;
     const double phi = 2 * std::numbers::pi * (segment % segments) / segments;

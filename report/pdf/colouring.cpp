@@ -61,6 +61,20 @@ Colouring colouring(const TriangleMesh& mesh, const RuleResult& result) {
   return c;
 }
 
+std::vector<std::uint8_t> marks(const TriangleMesh& mesh, std::span<const RuleResult> results) {
+  std::vector<std::uint8_t> marked(mesh.facet_count());
+  for (const RuleResult& result : results) {
+    for (std::size_t i = 0; i < std::min(result.facet_verdicts.size(), result.field.size()); ++i) {
+      const FacetVerdict verdict = result.facet_verdicts[i];
+      const std::uint8_t mark = verdict == FacetVerdict::fail        ? 2
+                                : verdict == FacetVerdict::undecided ? 1
+                                                                     : 0;
+      marked[result.field.facets[i]] = std::max(marked[result.field.facets[i]], mark);
+    }
+  }
+  return marked;
+}
+
 std::vector<Rgb> verdict_colours(const TriangleMesh& mesh, const Outcome& outcome) {
   std::vector<FacetVerdict> gravest(mesh.facet_count(), FacetVerdict::not_examined);
   constexpr auto weight = [](FacetVerdict v) {

@@ -1,6 +1,8 @@
 // The colour of every facet in the pictures of a rule.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "model/triangle_mesh.h"
@@ -21,6 +23,8 @@ Colouring colouring(const TriangleMesh& mesh, const RuleResult& result);
 // By the gravest verdict of all rules.
 std::vector<Rgb> verdict_colours(const TriangleMesh& mesh, const Outcome& outcome);
 Rgb facet_colour(FacetVerdict verdict);
+// What must stay visible in a picture however small it is, one a facet: see Drawing::marked.
+std::vector<std::uint8_t> marks(const TriangleMesh& mesh, std::span<const RuleResult> results);
 
 // A limit in display units.
 Limit displayed(const Limit& limit, double factor);

@@ -54,7 +54,8 @@ void draw_close_up(Book& book, const RuleResult& result, const Finding& finding,
   std::vector<std::uint8_t> emphasis(mesh.facet_count(), 0);
   for (const FacetId f : finding.facets) emphasis[f] = 1;
   const Vec3d outward = facet_normal(mesh, finding.worst.facet);
-  ModelView view{{margin_left, flow.y(), content_width, close_up_height}, {}, colouring.facets};
+  const std::vector<std::uint8_t> marked = marks(mesh, {&result, 1});
+  ModelView view{{margin_left, flow.y(), content_width, close_up_height}, {}, colouring.facets, marked};
   view.camera = close_up(focus(book, finding), outward, book.setup_of(result).frame,
                          close_up_extent(book.model().box, finding.box), content_width / close_up_height);
   view.emphasis = emphasis;

@@ -13,10 +13,10 @@ static constexpr TextStyle mark_text{Face::regular, 6.5, ink, 3};
 
 static constexpr double triad_strip = 12;  // mm
 
-std::vector<View> views_for(const Area& area, const Box3d& box, const Frame& frame) {
+std::vector<NamedView> views_for(const Area& area, const Box3d& box, const Frame& frame) {
   const double inner = area.width - triad_strip;
-  std::vector<View> views = fixed_views(box, frame, inner / area.height);
-  for (View& view : views) {
+  std::vector<NamedView> views = fixed_views(box, frame, inner / area.height);
+  for (NamedView& view : views) {
     Camera& camera = view.camera;
     const double mm = camera.width / inner;  // of the model, a millimetre of the page
     camera.width = mm * area.width;
@@ -71,6 +71,7 @@ static HPDF_Image rendered(Book& book, const ModelView& view) {
   Drawing drawing;
   drawing.mesh = &book.model().mesh;
   drawing.facet_colours = view.colours;
+  drawing.marked = view.marked;
   drawing.lines = view.lines;
   drawing.emphasis = view.emphasis;
   return book.flow.document().add_picture(

@@ -12,7 +12,8 @@ namespace gabarit::pdf {
 struct ModelView {
   Area area;  // mm on the page
   Camera camera;
-  std::span<const Rgb> colours;  // one a facet of the model
+  std::span<const Rgb> colours;               // one a facet of the model
+  std::span<const std::uint8_t> marked = {};  // see Drawing
   std::span<const SceneLine> lines = {};
   std::span<const std::uint8_t> emphasis = {};  // see Drawing
   double share = 1;                             // of the report's resolution
@@ -21,7 +22,7 @@ struct ModelView {
 
 // A fixed view whose picture is in the document.
 struct DrawnView {
-  View view;
+  NamedView view;
   HPDF_Image image = nullptr;
 };
 
@@ -29,7 +30,7 @@ constexpr double caption_height = 5;       // mm below the picture
 constexpr double view_aspect = 82 / 48.5;  // of fixed views, wherever they are shown
 
 // The fixed views for pictures of a size, with a strip on the right that the triad has for itself.
-std::vector<View> views_for(const Area& area, const Box3d& box, const Frame& frame);
+std::vector<NamedView> views_for(const Area& area, const Box3d& box, const Frame& frame);
 
 // An empty frame (and null) when the model has no box. The caption and the scale bar stand below it.
 HPDF_Image draw_view(Book& book, const ModelView& view, const std::string& caption);

@@ -25,10 +25,10 @@ std::vector<SceneLine> trace_lines(const Region& region) {
   return lines;
 }
 
-std::vector<View> views_with_traces(const Book& book, const RuleResult& result) {
+std::vector<NamedView> views_with_traces(const Book& book, const RuleResult& result) {
   constexpr Area picture{0, 0, picture_width, picture_height};
   const Frame& frame = book.setup_of(result).frame;
-  std::vector<View> views = views_for(picture, book.model().box, frame);
+  std::vector<NamedView> views = views_for(picture, book.model().box, frame);
   Box3d around = book.model().box;
   for (const Trace& trace : result.region.traces) {
     for (const Vec3d& p : trace.points) {
@@ -36,14 +36,14 @@ std::vector<View> views_with_traces(const Book& book, const RuleResult& result) 
     }
   }
   // The paths lie around the model and are drawn from above only.
-  const std::vector<View> wide = views_for(picture, around, frame);
+  const std::vector<NamedView> wide = views_for(picture, around, frame);
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].name == "top") views[i] = wide[i];
   }
   return views;
 }
 
-std::string caption_of(const View& view, const std::vector<SceneLine>& lines, const RuleResult& result) {
+std::string caption_of(const NamedView& view, const std::vector<SceneLine>& lines, const RuleResult& result) {
   std::string text = view.name;
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return view.name == "top" && !lines.empty() ? text + ", with the " + result.region.traces.front().name
@@ -58,14 +58,14 @@ std::vector<DrawnView> add_views_page(Book& book, const RuleResult& result, cons
   flow.subheading("Views of the whole model");
   draw_legend(book, result, colouring);
   const std::vector<SceneLine> lines = trace_lines(result.region);
-  const std::vector<View> views = views_with_traces(book, result);
+  const std::vector<NamedView> views = views_with_traces(book, result);
+  const std::vector<std::uint8_t> marked = marks(book.model().mesh, {&result, 1});
   std::vector<DrawnView> drawn;
   const double top = flow.y() + 1;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::size_t row = i / 2, column = i % 2;
-    const double x = margin_left + static_cast<double>(column) * (picture_width + gap);
-    const double y = top + static_cast<double>(row) * (picture_height + caption_height + 1.5);
-    ModelView view{{x, y, picture_width, picture_height}, views[i].camera, colouring.facets};
+    const double x = margin_left + static_cast<double>(i % 2) * (picture_width + gap);
+    const double y = top + static_cast<double>(i / 2) * (picture_height + caption_height + 1.5);
+    ModelView view{{x, y, picture_width, picture_height}, views[i].camera, colouring.facets, marked};
     if (views[i].name == "top") view.lines = lines;
     const HPDF_Image image = draw_view(book, view, caption_of(views[i], lines, result));
     drawn.push_back({views[i], image});

@@ -18,8 +18,10 @@ struct Film {
   int width = 0, height = 0;
   std::vector<FilmPixel> pixels;
 
-  Film(int w, int h)
-      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  Film(int w, int h, Light paper)
+      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {
+    for (FilmPixel& pixel : pixels) pixel.light = paper;
+  }
   FilmPixel& at(int x, int y) {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];

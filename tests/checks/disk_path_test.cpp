@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "checks/certified.h"
 #include "checks/contact_depth.h"
 #include "tests/checks/disk_path_reference.h"
 
@@ -29,7 +30,7 @@ void add_polygon(Sides& sides, const std::vector<Point2>& corners) {
 std::vector<bool> touched(const Sides& sides, double radius, int threads = 1) {
   const DiskPath path = disk_path(outline_features(sides), radius, Device::cpu(threads));
   std::vector<bool> out;
-  for (const float depth : ContactDepth(sides, radius).along(path, tolerance))
+  for (const float depth : ContactDepth(sides, radius).along(path, tolerance, Device::cpu(threads)))
     out.push_back(depth <= tolerance);
   return out;
 }
@@ -101,6 +102,30 @@ TEST(DiskPath, parts_far_apart_are_all_reached) {
     add_polygon(sides, {{1000.0 * i, 0}, {1000.0 * i + 10, 0}, {1000.0 * i + 10, 10}, {1000.0 * i, 10}});
   EXPECT_EQ(touched(sides, 150), std::vector<bool>(20, true));
   EXPECT_EQ(disk_path(outline_features(sides), 150, Device::cpu(1)).components, 5U);
+}
+
+// The plan view of an upright flat face: a fan of needles along one line, apart by the rounding of
+// coordinates.
+Sides upright_fan(double angle) {
+  const auto at = [&](double t) { return Point2{1668.9 + t * std::cos(angle), 153.7 + t * std::sin(angle)}; };
+  Sides sides;
+  constexpr int n = 24;
+  for (int i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi / n;
+    const Point2 needle[3] = {at(0), at(34 * std::cos(turn * i)), at(34 * std::cos(turn * (i + 1)))};
+    for (int k = 0; k < 3; ++k) {
+      const Point2 a = needle[k], b = needle[(k + 1) % 3];
+      add_side(sides, a, b, side_of_line(a, b, needle[(k + 2) % 3]));
+    }
+  }
+  return sides;
+}
+
+TEST(DiskPath, sides_that_differ_by_rounding_only_leave_no_gap_in_the_path) {
+  for (int k = 0; k < 40; ++k) {
+    const DiskPath path = disk_path(outline_features(upright_fan(0.02 + 0.07 * k)), 150, Device::cpu(1));
+    EXPECT_EQ(path.components, 1U) << k;
+  }
 }
 
 TEST(DiskPath, overlapping_collinear_sides_and_tees_do_not_hide_each_other) {

@@ -18,6 +18,8 @@ struct Case {
   Frame frame = {};
   Interval band = {};
   int threads = 1;
+  ContactMethod method = ContactMethod::exact;
+  double spacing = 0.98;
 };
 
 Region region_of(const shapes::Triangles& triangles, const Case& c = {}) {
@@ -28,7 +30,11 @@ Region region_of(const shapes::Triangles& triangles, const Case& c = {}) {
   setup.sag = c.sag;
   setup.height_band = c.band;
   return vertical_cylinder_contact(scene, setup,
-                                   {.radius = 150, .motion = c.motion, .tolerance = std::max(1e-3, c.sag)});
+                                   {.radius = 150,
+                                    .motion = c.motion,
+                                    .tolerance = std::max(1e-3, c.sag),
+                                    .method = c.method,
+                                    .spacing = c.spacing});
 }
 
 std::vector<Selected> touched(const shapes::Triangles& triangles, const Case& c = {}) {
@@ -219,6 +225,55 @@ TEST(VerticalCylinderContact, the_notes_name_the_places_that_the_sag_decides) {
 
 TEST(VerticalCylinderContact, a_model_that_is_huge_for_the_column_stays_within_memory) {
   EXPECT_EQ(count(touched(box({0, 0, 0}, {2e6, 1e6, 300})), Selected::yes), 12U);
+}
+
+// Shapes on which the column slides, rolls, bridges and turns around in a yard, at odd angles.
+shapes::Triangles parts() {
+  auto all = shapes::joined(yard(), shapes::moved(shapes::torus(220, 40, 48, 12), {-900, 200, 50}));
+  all = shapes::joined(all, shapes::moved(shapes::rotated(pocket(310), {0, 0, 1}, 0.5), {1500, 900, 0}));
+  return shapes::joined(all, shapes::rotated(box({-2000, -900, 0}, {-1200, -640, 100}), {0, 0, 1}, -0.3));
+}
+
+TEST(VerticalCylinderContact, what_dexels_decide_the_exact_method_decides_alike) {
+  for (const double turn : {0.0, 0.4}) {
+    const auto solid = shapes::rotated(parts(), {0, 0, 1}, turn);
+    const auto exact = touched(solid);
+    for (const double spacing : {0.98, 5.0}) {
+      const auto dexel = touched(solid, {.method = ContactMethod::dexel, .spacing = spacing});
+      std::size_t decided = 0;
+      for (std::size_t f = 0; f < exact.size(); ++f) {
+        if (dexel[f] == Selected::maybe) continue;
+        ++decided;
+        EXPECT_EQ(dexel[f], exact[f]) << "facet " << f << ", spacing " << spacing;
+      }
+      EXPECT_GT(static_cast<double>(decided), 0.7 * static_cast<double>(exact.size()));
+      EXPECT_GT(count(dexel, Selected::yes), count(exact, Selected::yes) / 2);
+    }
+  }
+}
+
+TEST(VerticalCylinderContact, a_mouth_within_the_spacing_of_the_diameter_is_maybe_for_dexels) {
+  for (const double mouth : {300.3, 300.9}) {
+    EXPECT_GT(count(touched(pocket(mouth)), Selected::yes, 24), 0U) << mouth;
+    const auto all = touched(pocket(mouth), {.method = ContactMethod::dexel});
+    EXPECT_EQ(count(all, Selected::yes, 24), 0U) << mouth;
+    EXPECT_GT(count(all, Selected::maybe, 24), 0U) << mouth;
+  }
+}
+
+TEST(VerticalCylinderContact, dexels_give_the_same_answer_on_any_number_of_threads) {
+  const Region one = region_of(parts(), {.threads = 1, .method = ContactMethod::dexel});
+  const Region four = region_of(parts(), {.threads = 4, .method = ContactMethod::dexel});
+  EXPECT_EQ(one.facets, four.facets);
+  EXPECT_EQ(one.depth, four.depth);
+}
+
+TEST(VerticalCylinderContact, dexels_say_what_they_cannot_do) {
+  const auto solid = box({0, 0, 0}, {100, 100, 100});
+  EXPECT_THROW(region_of(solid, {.motion = Motion::sweep, .method = ContactMethod::dexel}),
+               std::invalid_argument);
+  EXPECT_THROW(region_of(solid, {.method = ContactMethod::dexel, .spacing = 80}), std::invalid_argument);
+  EXPECT_THROW(region_of(solid, {.method = ContactMethod::dexel, .spacing = 0}), std::invalid_argument);
 }
 
 }  // namespace

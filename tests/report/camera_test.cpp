@@ -13,8 +13,8 @@ namespace {
 
 const Box3d motorcycle{{-200, -400, 0}, {1900, 400, 1200}};
 
-const Camera& camera_of(const std::vector<View>& views, const std::string& name) {
-  for (const View& view : views) {
+const Camera& camera_of(const std::vector<NamedView>& views, const std::string& name) {
+  for (const NamedView& view : views) {
     if (view.name == name) return view.camera;
   }
   throw std::out_of_range(name);
@@ -22,7 +22,7 @@ const Camera& camera_of(const std::vector<View>& views, const std::string& name)
 
 TEST(fixed_views, are_named_as_the_driver_would) {
   std::vector<std::string> names;
-  for (const View& view : fixed_views(motorcycle, {}, 1.6)) names.push_back(view.name);
+  for (const NamedView& view : fixed_views(motorcycle, {}, 1.6)) names.push_back(view.name);
   EXPECT_THAT(names, testing::ElementsAre("front", "rear", "left", "right", "top", "bottom",
                                           "front left, from above", "rear right, from above"));
 }
@@ -58,7 +58,7 @@ TEST(fixed_views, from_the_side_stand_upright_and_show_the_front_where_it_is) {
 TEST(fixed_views, show_the_whole_box_at_the_aspect_asked_for_and_waste_little) {
   for (const Frame& frame : {Frame{}, Frame{{0, 1, 0}, {0, 0, 1}, 0}}) {
     for (const double aspect : {0.5, 1.0, 1.6}) {
-      for (const View& view : fixed_views(motorcycle, frame, aspect)) {
+      for (const NamedView& view : fixed_views(motorcycle, frame, aspect)) {
         const Camera& c = view.camera;
         double x = 0;
         double y = 0;
@@ -81,7 +81,7 @@ TEST(fixed_views, show_the_whole_box_at_the_aspect_asked_for_and_waste_little) {
 
 TEST(fixed_views, of_facets_come_closer_than_those_of_their_box) {
   const TriangleMesh mesh = shapes::mesh(shapes::moved(shapes::sphere(50, 40, 80), {7, 8, 9}));
-  for (const View& view : fixed_views(mesh, {}, 1.6)) {
+  for (const NamedView& view : fixed_views(mesh, {}, 1.6)) {
     EXPECT_NEAR(view.camera.height, 1.08 * 100, 0.5) << view.name;
     EXPECT_NEAR(length(view.camera.target - Vec3d{7, 8, 9}), 0, 0.2) << view.name;
   }
@@ -103,7 +103,7 @@ TEST(fixed_views, of_facets_do_not_mind_what_is_not_finite_or_not_there) {
 
 TEST(fixed_views, of_nothing_or_a_point_or_the_whole_universe_are_still_views) {
   for (const Box3d& box : {Box3d{}, Box3d{{1, 2, 3}, {1, 2, 3}}, Box3d{{-1.7e308, -1, 0}, {1.7e308, 1, 0}}}) {
-    for (const View& view : fixed_views(box, {}, 1.6)) {
+    for (const NamedView& view : fixed_views(box, {}, 1.6)) {
       EXPECT_GT(view.camera.width, 0);
       EXPECT_TRUE(std::isfinite(view.camera.width) && is_finite(view.camera.target));
     }

@@ -48,6 +48,18 @@ TEST(colouring, of_a_radius_that_flat_parts_do_not_have_is_by_verdict) {
           .by_value);
 }
 
+TEST(marks, keep_what_fails_or_is_undecided_for_any_rule_visible) {
+  SampleReport sample;
+  const auto of_all = pdf::marks(sample.model.mesh, sample.outcome.results);
+  EXPECT_EQ(of_all[0], 2);  // fails one rule, undecided for another
+  EXPECT_EQ(of_all[1], 0);
+  EXPECT_EQ(of_all[2], 2);
+  EXPECT_EQ(of_all[4], 0);
+  const auto of_one = pdf::marks(sample.model.mesh, {&sample.rule("undecided"), 1});
+  EXPECT_EQ(of_one[0], 1);
+  EXPECT_EQ(of_one[2], 0);
+}
+
 TEST(verdict_colours, the_gravest_verdict_of_a_facet_shows) {
   const SampleReport sample;
   const std::vector<Rgb> colours = verdict_colours(sample.model.mesh, sample.outcome);

@@ -199,6 +199,17 @@ TEST(render, gives_the_same_bytes_for_facets_in_any_order) {
   }
 }
 
+TEST(render, shows_both_sides_of_a_facet_alike) {
+  const shapes::Triangles solid =
+      shapes::rotated(shapes::box({-10, -20, -15}, {10, 20, 15}), normalized(Vec3d{1, 2, 3}), 0.8);
+  const auto picture = [](const TriangleMesh& mesh) {
+    Drawing drawing;
+    drawing.mesh = &mesh;
+    return render(drawing, from_above(80), 100, 100, one);
+  };
+  EXPECT_EQ(picture(shapes::mesh(solid)).pixels, picture(shapes::mesh(shapes::flipped(solid))).pixels);
+}
+
 TEST(render, a_model_and_a_camera_moved_together_give_the_same_picture) {
   const Scene scene;
   const auto at = [&](const Vec3d& offset) {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "checks/thickness.h"
+#include "rules/read_value.h"
 #include "rules/region.h"
 #include "tests/rules/fake_checks.h"
 #include "tests/shapes.h"
@@ -241,6 +243,26 @@ TEST(Engine, progress_never_goes_back_and_ends_at_one) {
                               }});
   EXPECT_EQ(outcome.verdict, Verdict::pass);
   EXPECT_DOUBLE_EQ(last, 1.0);
+}
+
+// A plate of twelve facets, 2 mm thick at one end and 12 mm at the other.
+Verdict of_a_tapered_plate(const Limit& limit) {
+  Rule rule = fake::rule("taper", thickness_measure, limit);
+  fill_defaults(thickness_measure.parameters, rule.require.arguments);
+  return run_rule(shapes::model(shapes::extrude({{0, 0}, {100, 0}, {100, 12}, {0, 2}}, 0, 60)), rule).verdict;
+}
+
+TEST(Engine, a_facet_with_several_values_is_judged_by_the_one_that_the_limit_asks_for) {
+  EXPECT_EQ(of_a_tapered_plate(at_least(3)), Verdict::fail);
+  EXPECT_EQ(of_a_tapered_plate(at_least(1.5)), Verdict::pass);
+  EXPECT_EQ(of_a_tapered_plate(at_most(50)), Verdict::fail) << "it is 60 and 100 mm long";
+  EXPECT_EQ(of_a_tapered_plate(at_most(105)), Verdict::pass);
+  const auto between = [](double low, double high) {
+    return Limit{.kind = Limit::Kind::between, .low = low, .high = high};
+  };
+  EXPECT_EQ(of_a_tapered_plate(between(1.5, 105)), Verdict::pass);
+  EXPECT_EQ(of_a_tapered_plate(between(3, 105)), Verdict::fail);
+  EXPECT_EQ(of_a_tapered_plate(between(1.5, 90)), Verdict::fail);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "checks/thickness.h"
 #include "rules/engine.h"
 #include "tests/rules/language.h"
 
@@ -16,10 +17,25 @@ std::vector<std::filesystem::path> files() {
   return found;
 }
 
+// With the measures that exist and those that only tests know.
+Catalogue every_measure() {
+  static const std::vector<const Measure*> measures = [] {
+    std::vector<const Measure*> all(all_measures().begin(), all_measures().end());
+    const Catalogue real;
+    for (const Measure* measure : language::catalogue().measures) {
+      if (!real.measure_named(measure->name)) all.push_back(measure);
+    }
+    return all;
+  }();
+  Catalogue catalogue = language::catalogue();
+  catalogue.measures = measures;
+  return catalogue;
+}
+
 TEST(Library, every_file_is_read_and_named_after_its_id) {
   std::vector<RuleSet> sets;
   for (const auto& file : files()) {
-    const auto rules = read_rules(file, language::catalogue());
+    const auto rules = read_rules(file, every_measure());
     ASSERT_TRUE(rules) << to_string(rules.error().at(0));
     EXPECT_EQ(rules->id, file.stem().string());
     EXPECT_FALSE(rules->revision.empty());
@@ -59,6 +75,24 @@ TEST(Library, the_motorcycle_column_asks_for_r4_and_notes_r3_2) {
     EXPECT_DOUBLE_EQ(height.number("from"), 0.0);
     EXPECT_DOUBLE_EQ(height.number("to"), 2000.0);
   }
+}
+
+TEST(Library, wall_packs_are_guidelines_that_name_the_source_of_every_number) {
+  std::size_t packs = 0;
+  for (const auto& file : files()) {
+    if (!file.stem().string().starts_with("wall-")) continue;
+    const auto set = read_rules(file, every_measure());
+    ASSERT_TRUE(set) << to_string(set.error().at(0));
+    EXPECT_EQ(set->source.status, "guideline");
+    EXPECT_FALSE(set->source.address.empty());
+    for (const Rule& rule : set->rules) {
+      EXPECT_FALSE(rule.clause.empty()) << rule.id;
+      EXPECT_EQ(rule.require.measure, &thickness_measure);
+      EXPECT_EQ(rule.require.arguments.text("method"), "wall");
+    }
+    ++packs;
+  }
+  EXPECT_EQ(packs, 15U);
 }
 
 }  // namespace

@@ -1,0 +1,117 @@
+#include "checks/contact_features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace gabarit {
+namespace {
+
+const double least_bend = 8 * std::numbers::pi / 180;
+
+Vec3f to_float(const Vec3d& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// A segment of an edge between two facets, in the direction in which the first one has it.
+struct Ridge {
+  Vec3d a, b;
+  VertexId from, to;  // its ends, where they are vertices
+  FacetId one, other;
+};
+
+constexpr VertexId no_vertex = 0xffffffffU;
+
+class Features {
+ public:
+  Features(FacetSurface& surface, const TriangleMesh& mesh, const std::vector<float>& sag, Side side)
+      : surface_(surface),
+        mesh_(mesh),
+        sag_(sag),
+        side_(side),
+        id_(static_cast<std::uint32_t>(mesh.facet_count())) {}
+
+  void look_at(FacetId f, const EdgeNeighbour& edge) {
+    if (f > edge.facet || !edge.reversed) return;
+    const Vec3d n = facet_normal(mesh_, f), m = facet_normal(mesh_, edge.facet);
+    const Vec3d a = mesh_.corner(f, edge.edge), along = mesh_.corner(f, (edge.edge + 1) % 3) - a;
+    // Seen along the edge the normals of a reflex edge turn towards each other.
+    const double turn = dot(cross(n, m), along) * (side_ == Side::inside ? -1 : 1);
+    if (!(turn > 0) || dot(n, m) > std::cos(least_bend)) return;
+    const auto end = [&](double at, int corner) {
+      return at == corner ? mesh_.facets[f][static_cast<std::size_t>((edge.edge + corner) % 3)] : no_vertex;
+    };
+    const double from = edge.from, to = edge.to;
+    add({a + from * along, to == 1 ? a + along : a + to * along, end(from, 0), end(to, 1), f, edge.facet});
+  }
+
+  // Every direction in which the surface leaves the vertices at the ends of ridges.
+  void add_vertices() {
+    std::map<VertexId, std::vector<Vec3d>> fans;
+    for (const VertexId v : ends_) fans[v];
+    for (FacetId f = 0; f < mesh_.facet_count(); ++f) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto fan = fans.find(mesh_.facets[f][i]);
+        if (fan == fans.end()) continue;
+        for (const std::size_t k : {(i + 1) % 3, (i + 2) % 3}) {
+          const Vec3d w = normalized(mesh_.vertices[mesh_.facets[f][k]] - mesh_.vertices[mesh_.facets[f][i]]);
+          if (is_finite(w) && w != Vec3d{}) fan->second.push_back(w);
+        }
+      }
+    }
+    for (const auto& [v, directions] : fans) push({v, v, fan(directions)}, sags_.at(v));
+  }
+
+ private:
+  void add(const Ridge& ridge) {
+    const Vec3d along = normalized(ridge.b - ridge.a);
+    const float s = std::max(sag_[ridge.one], sag_[ridge.other]);
+    const std::uint32_t number = fan({normalized(cross(facet_normal(mesh_, ridge.one), along)),
+                                      normalized(cross(along, facet_normal(mesh_, ridge.other)))});
+    push({point(ridge.from, ridge.a), point(ridge.to, ridge.b), number}, s);
+    for (const VertexId v : {ridge.from, ridge.to}) {
+      if (v == no_vertex) continue;
+      ends_.push_back(v);
+      float& most = sags_[v];
+      most = std::max(most, s);
+    }
+  }
+
+  void push(const std::array<std::uint32_t, 3>& corner, float sag) {
+    surface_.primitives.push_back({corner, id_++, {}, sag});
+  }
+
+  std::uint32_t point(VertexId v, const Vec3d& p) {
+    if (v != no_vertex) return v;
+    surface_.points.push_back(p);
+    return static_cast<std::uint32_t>(surface_.points.size() - 1);
+  }
+
+  std::uint32_t fan(const std::vector<Vec3d>& directions) {
+    for (const Vec3d& w : directions) surface_.fan_directions.push_back(to_float(w));
+    surface_.fan_first.push_back(static_cast<std::uint32_t>(surface_.fan_directions.size()));
+    return static_cast<std::uint32_t>(surface_.fan_first.size() - 2);
+  }
+
+  FacetSurface& surface_;
+  const TriangleMesh& mesh_;
+  const std::vector<float>& sag_;
+  Side side_;
+  std::uint32_t id_;
+  std::vector<VertexId> ends_;
+  std::map<VertexId, float> sags_;
+};
+
+}  // namespace
+
+void add_features(FacetSurface& surface, const TriangleMesh& mesh, const Adjacency& adjacency,
+                  const std::vector<float>& sag, Side side) {
+  Features features(surface, mesh, sag, side);
+  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    for (const EdgeNeighbour& edge : adjacency.of(f)) features.look_at(f, edge);
+  }
+  features.add_vertices();
+}
+
+}  // namespace gabarit

@@ -1,0 +1,131 @@
+#include "checks/radius_exact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "checks/facet_turns.h"
+#include "checks/patch_curvature.h"
+#include "gpu/parallel_for.h"
+#include "model/edge_table.h"
+
+namespace gabarit {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double flat = 1e-9;     // 1/mm: a surface this flat is a plane
+constexpr double rounding = 1e6;  // radii are multiples of 1e-6 mm
+constexpr std::int64_t grain = 128;
+
+struct Reading {
+  double value = infinity, lower = infinity, upper = infinity;
+  Absence absence = Absence::none;
+  Vec3d at, contact;
+};
+
+double radius(double curvature) {
+  return curvature > flat ? std::round(rounding / curvature) / rounding : infinity;
+}
+
+class ExactRadius {
+ public:
+  ExactRadius(const Scene& scene, const Region& region)
+      : mesh_(&scene.mesh()),
+        brep_(&*scene.model().brep),
+        arrays_(view(*brep_)),
+        region_(&region),
+        turns_(facet_turns(*brep_, *mesh_, scene.device())),
+        kinks_(kink_turns(*brep_, scene.device())),
+        other_(3 * mesh_->facet_count()) {
+    for (std::size_t h = 0; h < other_.size(); ++h) other_[h] = static_cast<HalfEdgeId>(h);
+    EdgeTable(*mesh_).for_each_edge([&](std::span<const HalfEdgeId> edge) {
+      if (edge.size() == 2) other_[edge[0]] = edge[1], other_[edge[1]] = edge[0];
+    });
+  }
+
+  Reading read(FacetId f) const {
+    Reading reading;
+    if (facet_normal(*mesh_, f) == Vec3d{}) return degenerate(f);
+    const SharpestPoint point = sharpest_point(arrays_, brep_->facets[f]);
+    reading.value = reading.lower = reading.upper = radius(point.curvature);
+    reading.at = face_point(arrays_, brep_->faces[brep_->facets[f].face], point.at).p;
+    reading.contact = reading.at;
+    for (std::uint32_t e = 0; e < 3; ++e) look_at_edge(f, e, reading);
+    if (!kinks_.empty() && kinks_[f] > smooth_turn) make_sharp(mesh_->centroid(f), reading);
+    return reading;
+  }
+
+ private:
+  Reading degenerate(FacetId f) const {
+    return {std::numeric_limits<double>::quiet_NaN(),
+            0,
+            infinity,
+            Absence::degenerate,
+            mesh_->centroid(f),
+            mesh_->centroid(f)};
+  }
+
+  static void make_sharp(const Vec3d& where, Reading& reading) {
+    reading.value = reading.lower = reading.upper = 0;
+    reading.absence = Absence::none;
+    reading.contact = where;
+  }
+
+  // An edge counts when it is selected on either of its sides.
+  Selected selected(HalfEdgeId h) const {
+    const auto side = [&](HalfEdgeId s) { return region_->edge(s / 3, static_cast<int>(s % 3)); };
+    return either(side(h), side(other_[h]));
+  }
+
+  void look_at_edge(FacetId f, std::uint32_t e, Reading& reading) const {
+    const HalfEdgeId h = 3 * f + e;
+    const float turn = turns_[h];
+    if (!(turn > smooth_turn)) return;
+    const Selected looked_at = selected(h);
+    if (looked_at == Selected::no) return;
+    const Vec3d middle =
+        (mesh_->corner(f, static_cast<int>(e)) + mesh_->corner(f, static_cast<int>((e + 1) % 3))) / 2.0;
+    const bool known = std::isfinite(turn);
+    if (known && looked_at == Selected::yes) return make_sharp(middle, reading);
+    reading.lower = 0;
+    if (!known && reading.upper == infinity) {
+      reading.value = std::numeric_limits<double>::quiet_NaN();
+      reading.absence = Absence::open;
+    }
+  }
+
+  const TriangleMesh* mesh_;
+  const Brep* brep_;
+  BrepView arrays_;
+  const Region* region_;
+  std::vector<float> turns_, kinks_;
+  std::vector<HalfEdgeId> other_;  // by half-edge: the one on the other side, itself at free edges
+};
+
+}  // namespace
+
+Field measure_exact_radius(const Scene& scene, const Region& region) {
+  Field field;
+  field.facets = selected_facets(region);
+  field.resize(field.facets.size());
+  if (field.facets.empty()) return field;
+  const ExactRadius exact(scene, region);
+  const auto kernel = [&](std::int64_t i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Reading r = exact.read(field.facets[at]);
+    field.value[at] = r.value;
+    field.lower[at] = r.lower;
+    field.upper[at] = r.upper;
+    field.at[at] = r.at;
+    field.contact[at] = r.contact;
+    field.absence[at] = r.absence;
+  };
+  parallel_for_cpu(scene.device(), static_cast<std::int64_t>(field.size()), kernel, grain);
+  field.notes.push_back(
+      "Radii are read from the exact surfaces of the model, not from its facets, and rounded to 1e-6 mm; an "
+      "edge is "
+      "sharp where its faces turn by more than 5 degrees.");
+  return field;
+}
+
+}  // namespace gabarit

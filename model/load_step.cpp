@@ -1,0 +1,75 @@
+#include "model/load_step.h"
+
+#include <algorithm>
+
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <fmt/format.h>
+
+#include "model/cad_unit.h"
+#include "model/occt_model.h"
+#include "model/step_header.h"
+#include "model/text_encoding.h"
+
+namespace gabarit {
+namespace {
+
+constexpr double read_share = 0.1, transfer_share = 0.5;  // of the time, until there
+
+// The unit of most of the file's shapes; OpenCASCADE itself minds each shape's own.
+void set_unit(STEPControl_Reader& reader, std::string_view bytes, const std::string& file,
+              const LoadOptions& options, Model& model) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  std::vector<std::string> names;
+  for (const TCollection_AsciiString& length : lengths) {
+    if (!length.IsEmpty()) names.emplace_back(length.ToCString());
+  }
+  // OpenCASCADE converts by such units but does not name all of them.
+  if (names.empty() && !lengths.IsEmpty()) names = step_conversion_units(bytes);
+  set_declared_unit(names, file, options, model);
+}
+
+Diagnostics transfer(STEPCAFControl_Reader& reader, const std::filesystem::path& file, std::string_view bytes,
+                     const LoadOptions& options, const Handle(OcctProgress) & progress, Model& model) {
+  const Handle(TDocStd_Document) document = new_document();
+  Handle(TDocStd_Document) into = document;
+  const bool done = reader.Transfer(into, progress->start(read_share, transfer_share));
+  if (progress->time_is_over()) return out_of_time(file.string(), options);
+  std::vector<OcctPart> found;
+  if (done) found = parts(document, valid_utf8(file.stem().string()));
+  set_unit(reader.ChangeReader(), bytes, file.string(), options, model);
+  return fill_model(std::move(found), file.string(), options, progress, model);
+}
+
+Diagnostics read(const std::filesystem::path& file, std::string_view bytes, const LoadOptions& options,
+                 Model& model) {
+  STEPCAFControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  const Handle(OcctProgress) progress = new OcctProgress(options);
+  STEPCAFControl_Reader reader;
+  reader.SetNameMode(Standard_True);
+  reader.SetColorMode(Standard_False);
+  reader.SetLayerMode(Standard_False);
+  reader.SetPropsMode(Standard_False);
+  reader.SetGDTMode(Standard_False);
+  reader.SetMatMode(Standard_False);
+  reader.SetViewMode(Standard_False);
+  if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
+    return {{.file = file.string(), .message = "is no STEP file that OpenCASCADE can read; export it again"}};
+  return transfer(reader, file, bytes, options, progress, model);
+}
+
+}  // namespace
+
+Diagnostics load_step(const std::filesystem::path& file, std::string_view bytes, const LoadOptions& options,
+                      Model& model) {
+  if (Diagnostics errors = step_errors(bytes, file.string()); !errors.empty()) return errors;
+  model.format = step_format(bytes);
+  return with_occt(file.string(), [&] { return read(file, bytes, options, model); });
+}
+
+}  // namespace gabarit

@@ -1,0 +1,291 @@
+#include "checks/radius.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "checks/hidden_rounding.h"
+#include "checks/turning.h"
+#include "tests/checks/fillets.h"
+#include "tests/shapes.h"
+
+namespace gabarit {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = std::numbers::pi;
+
+Field measured(const TriangleMesh& mesh, double sag, const Region& region, int threads = 1) {
+  Model model;
+  model.bodies = {"part"};
+  model.mesh = mesh;
+  Setup setup;
+  setup.sag = sag;
+  return measure_turning(Scene(model, Device::cpu(threads)), setup, region);
+}
+
+Field measured(const shapes::Triangles& triangles, double sag = 0.1) {
+  const TriangleMesh mesh = shapes::mesh(triangles);
+  return measured(mesh, sag, whole_model(mesh));
+}
+
+void expect_bounds(const Field& field, double radius) {
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    EXPECT_LE(field.lower[i], radius * (1 + 1e-9)) << "facet " << i;
+    EXPECT_GE(field.upper[i], radius * (1 - 1e-9)) << "facet " << i;
+  }
+}
+
+// A roof of two planes that meet at an edge of the given turn.
+shapes::Triangles roof(double turn, double width, double length) {
+  const double c = std::cos(turn / 2) * width, s = std::sin(turn / 2) * width;
+  const Vec3d a{0, 0, 0}, b{0, length, 0}, p{-c, 0, -s}, q{-c, length, -s}, u{c, 0, -s}, v{c, length, -s};
+  return {{p, a, b}, {p, b, q}, {a, u, v}, {a, v, b}};
+}
+
+TEST(Radius, every_facet_of_a_box_touches_a_sharp_edge) {
+  const Field field = measured(shapes::box({0, 0, 0}, {300, 200, 100}));
+  ASSERT_EQ(field.size(), 12U);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    EXPECT_EQ(field.value[i], 0);
+    EXPECT_EQ(field.lower[i], 0);
+    EXPECT_NEAR(field.upper[i], 0.1 / (1 - std::cos(pi / 4)), 1e-6);
+  }
+}
+
+TEST(Radius, a_sharp_edge_fails_r4_on_facets_of_any_size_and_shape) {
+  for (const double step : {0.05, 0.3, 1.0, 5.0, 40.0}) {
+    const double size = std::min(40.0, 12 * step);
+    const auto triangles = shapes::gridded_box({0, 0, 0}, {size, size, size}, step);
+    const Field field = measured(triangles);
+    const TriangleMesh mesh = shapes::mesh(triangles);
+    for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+      for (int e = 0; e < 3; ++e) {
+        int outer = 0;  // coordinates that both ends have at their least or greatest
+        for (int axis = 0; axis < 3; ++axis) {
+          const double x = mesh.corner(f, e)[axis];
+          outer += x == mesh.corner(f, (e + 1) % 3)[axis] && (x == 0 || x == size);
+        }
+        if (outer == 2) {
+          EXPECT_LT(field.upper[f], 4) << "step " << step;
+        }
+      }
+    }
+  }
+}
+
+TEST(Radius, what_lies_in_a_plane_away_from_the_edges_has_no_limit) {
+  const auto triangles = shapes::gridded_box({0, 0, 0}, {50, 50, 50}, 5);
+  const TriangleMesh mesh = shapes::mesh(triangles);
+  const Field field = measured(triangles);
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Vec3d c = mesh.centroid(field.facets[i]);
+    const auto inside = [](double x) { return x < 1e-9 || x > 50 - 1e-9 || (x > 5 && x < 45); };
+    if (!inside(c.x) || !inside(c.y) || !inside(c.z)) continue;
+    ++inner;
+    EXPECT_EQ(field.value[i], infinity);
+    EXPECT_GT(field.lower[i], 1000);
+  }
+  EXPECT_EQ(inner, 6U * 8 * 8 * 2);
+}
+
+TEST(Radius, an_edge_is_bounded_by_what_hides_within_the_sag) {
+  for (const double degrees : {10.0, 20.0, 26.0, 45.0, 120.0}) {
+    const double turn = degrees * pi / 180;
+    const Leg long_leg{50, 80};
+    const double largest = 0.1 / (1 - std::cos(turn / 2));
+    EXPECT_NEAR(largest_rounding(turn, 0.1, long_leg, long_leg), largest, 1e-6 * largest);
+    EXPECT_NEAR(most_turn(largest, 0.1, long_leg, long_leg), turn, 1e-9);
+  }
+  EXPECT_EQ(largest_rounding(0, 0.1, {1, 1}, {1, 1}), infinity);
+}
+
+TEST(Radius, an_edge_of_25_deg_is_undecided_at_r4_and_one_of_27_fails) {
+  const Field below = measured(roof(25 * pi / 180, 40, 60));
+  const Field above = measured(roof(27 * pi / 180, 40, 60));
+  EXPECT_GT(*std::min_element(below.upper.begin(), below.upper.end()), 4);
+  EXPECT_THAT(below.lower, testing::Each(0));
+  EXPECT_LT(*std::min_element(above.upper.begin(), above.upper.end()), 4);
+}
+
+TEST(Radius, an_edge_counts_only_when_the_region_selects_it) {
+  const TriangleMesh mesh = shapes::mesh(roof(pi / 2, 40, 60));
+  Region region = whole_model(mesh);
+  region.edges.assign(4, {Selected::no, Selected::no, Selected::no});
+  for (const double upper : measured(mesh, 0.1, region).upper) EXPECT_EQ(upper, infinity);
+  region.edges[0][1] = Selected::maybe;  // from (0, 0, 0) to (0, 60, 0)
+  for (const double upper : measured(mesh, 0.1, region).upper) EXPECT_EQ(upper, infinity);
+  EXPECT_EQ(measured(mesh, 0.1, region).lower[0], 0);
+  region.edges[0][1] = Selected::yes;
+  EXPECT_LT(measured(mesh, 0.1, region).upper[0], 0.4);
+  EXPECT_LT(measured(mesh, 0.1, region).upper[3], 0.4) << "the facet across the edge";
+}
+
+TEST(Radius, hollows_have_no_limit) {
+  auto triangles = shapes::flipped(roof(pi / 2, 40, 60));
+  const Field field = measured(triangles);
+  EXPECT_THAT(field.upper, testing::Each(infinity));
+}
+
+TEST(Radius, a_sphere_reads_its_radius) {
+  for (const double radius : {2.0, 10.0, 100.0}) {
+    const Field field = measured(shapes::sphere(radius, 40, 80), radius * 0.002);
+    expect_bounds(field, radius);
+    for (const double value : field.value) EXPECT_NEAR(value, radius, 0.02 * radius);
+  }
+}
+
+TEST(Radius, a_torus_reads_the_radius_of_its_tube) {
+  for (const int segments : {24, 60}) {
+    const Field field = measured(shapes::torus(30, 5, 4 * segments, segments));
+    expect_bounds(field, 5);
+    for (const double value : field.value) EXPECT_NEAR(value, 5, 0.1);
+  }
+}
+
+TEST(Radius, a_cylinder_reads_its_radius_whatever_its_length) {
+  for (const double length : {8.0, 300.0}) {
+    const auto circle = shapes::arc({0, 0}, 5, 0, 2 * pi, 32);
+    const auto triangles = shapes::extrude({circle.begin(), circle.end() - 1}, 0, length);
+    const TriangleMesh mesh = shapes::mesh(triangles);
+    Region region = whole_model(mesh);
+    region.edges.assign(mesh.facet_count(), {Selected::yes, Selected::yes, Selected::yes});
+    for (FacetId f = 0; f < mesh.facet_count(); ++f) {  // not its sharp rims
+      for (int e = 0; e < 3; ++e) {
+        if (mesh.corner(f, e).z == mesh.corner(f, (e + 1) % 3).z)
+          region.edges[f][static_cast<std::size_t>(e)] = Selected::no;
+      }
+    }
+    const Field field = measured(mesh, 0.1, region);
+    for (FacetId f = 0; f < 64; ++f) EXPECT_NEAR(field.value[f], 5, 0.1) << "length " << length;
+  }
+}
+
+TEST(Radius, a_polygon_whose_sides_leave_the_circle_by_more_than_the_sag_has_sharp_edges) {
+  const auto corners = shapes::arc({0, 0}, 13, 0, 2 * pi, 8);
+  const Field field = measured(shapes::extrude({corners.begin(), corners.end() - 1}, 0, 40));
+  for (FacetId f = 0; f < 16; ++f) EXPECT_LT(field.upper[f], 1.4);
+}
+
+TEST(Radius, the_two_sides_of_a_thin_plate_are_not_mixed) {
+  const auto triangles = shapes::gridded_box({0, 0, 0}, {20, 20, 0.5}, 1);
+  const TriangleMesh mesh = shapes::mesh(triangles);
+  const Field field = measured(triangles);
+  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    const Vec3d c = mesh.centroid(f);
+    if (c.x > 2 && c.x < 18 && c.y > 2 && c.y < 18) {
+      EXPECT_EQ(field.value[f], infinity);
+    }
+  }
+}
+
+TEST(Radius, a_free_edge_is_undecided_never_round) {
+  const Field field = measured({{Vec3d{0, 0, 0}, Vec3d{50, 0, 0}, Vec3d{0, 50, 0}}});
+  EXPECT_EQ(field.absence[0], Absence::open);
+  EXPECT_EQ(field.lower[0], 0);
+  EXPECT_EQ(field.upper[0], infinity);
+}
+
+TEST(Radius, edges_meet_through_t_junctions) {
+  // One facet of the roof's right side is cut in three along the edge.
+  auto triangles = roof(pi / 2, 40, 60);
+  const Vec3d a = triangles[3][0], v = triangles[3][1], b = triangles[3][2];
+  triangles.pop_back();
+  const Vec3d m = a + (b - a) * 0.3, n = a + (b - a) * 0.8;
+  for (const auto& [p, q] : {std::pair{a, m}, {m, n}, {n, b}}) triangles.push_back({p, v, q});
+  const Field field = measured(triangles);
+  for (const std::size_t i : {0U, 3U, 4U, 5U}) EXPECT_LT(field.upper[i], 0.4) << i;
+}
+
+TEST(Radius, a_facet_that_looks_the_wrong_way_leaves_its_edges_undecided) {
+  auto triangles = roof(pi / 2, 40, 60);
+  for (const std::size_t i : {2U, 3U}) std::swap(triangles[i][1], triangles[i][2]);
+  const Field field = measured(triangles);
+  EXPECT_THAT(field.lower, testing::Each(0));
+  EXPECT_THAT(field.upper, testing::Each(infinity));
+}
+
+TEST(Radius, a_body_that_is_inside_out_never_passes_at_its_edges_and_is_noted) {
+  const Field field = measured(shapes::flipped(shapes::box({0, 0, 0}, {30, 20, 10})));
+  EXPECT_THAT(field.lower, testing::Each(0));
+  EXPECT_THAT(field.notes, testing::ElementsAre(testing::HasSubstr("`part` look inwards")));
+}
+
+TEST(Radius, a_sharp_edge_behind_slivers_is_found) {
+  // Between the two planes of a roof at metre-size coordinates stands a strip that rounding turns at will.
+  const auto planes = shapes::moved(roof(pi / 2, 40, 60), {1000, 1000, 1000});
+  auto triangles = planes;
+  const double thin = 1e-4;
+  for (const std::size_t i : {2U, 3U}) {
+    for (Vec3d& p : triangles[i]) p += Vec3d{thin, 0, thin};
+  }
+  const Vec3d a = planes[0][1], b = planes[0][2], c = triangles[3][0], d = triangles[3][2];
+  triangles.push_back({a, c, d});
+  triangles.push_back({a, d, b});
+  const Field field = measured(triangles);
+  EXPECT_LT(field.upper[0], 0.5);
+  EXPECT_LT(field.upper[3], 0.5);
+  EXPECT_EQ(field.lower[4], 0);
+}
+
+TEST(Radius, degenerate_facets_have_no_radius) {
+  auto triangles = shapes::box({0, 0, 0}, {10, 10, 10});
+  triangles.push_back({Vec3d{0, 0, 0}, Vec3d{5, 0, 0}, Vec3d{10, 0, 0}});
+  triangles.push_back({Vec3d{0, 0, 0}, Vec3d{NAN, 0, 0}, Vec3d{10, 0, INFINITY}});
+  const Field field = measured(triangles);
+  for (const std::size_t i : {12U, 13U}) {
+    EXPECT_EQ(field.absence[i], Absence::degenerate);
+    EXPECT_TRUE(std::isnan(field.value[i]));
+  }
+}
+
+TEST(Radius, moving_rotating_and_permuting_the_mesh_moves_nothing) {
+  const auto meshed =
+      fillets::mesh({.radius = 5, .angle = pi / 2, .step = 1.5, .meshing = fillets::Meshing::jittered_flips});
+  const Field straight = measured(meshed.triangles, meshed.sag);
+  std::vector<std::uint32_t> order;
+  const auto moved =
+      shapes::moved(shapes::rotated(meshed.triangles, normalized(Vec3d{1, 2, 3}), 0.7), {120, -80, 300});
+  const Field other = measured(shapes::permuted(moved, 5, &order), meshed.sag);
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    const auto near = [&](double a, double b) {
+      return (std::isnan(a) && std::isnan(b)) || a == b || std::fabs(a - b) < 2e-3 * std::fabs(b);
+    };
+    EXPECT_TRUE(near(other.value[i], straight.value[order[i]])) << other.value[i];
+    EXPECT_TRUE(near(other.lower[i], straight.lower[order[i]])) << other.lower[i];
+    EXPECT_TRUE(near(other.upper[i], straight.upper[order[i]])) << other.upper[i];
+  }
+}
+
+TEST(Radius, a_few_facets_read_the_same_alone_as_in_the_whole_and_on_any_thread_count) {
+  const auto meshed =
+      fillets::mesh({.radius = 3, .angle = pi / 2, .step = 0.5, .meshing = fillets::Meshing::unmarked});
+  const TriangleMesh mesh = shapes::mesh(meshed.triangles);
+  const Field whole = measured(mesh, meshed.sag, whole_model(mesh), 2);
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    Region region;
+    region.facets.assign(mesh.facet_count(), Selected::no);
+    for (int i = 0; i < 10; ++i) region.facets[random() % mesh.facet_count()] = Selected::yes;
+    region.edges.assign(mesh.facet_count(), {Selected::yes, Selected::yes, Selected::yes});
+    const Field some = measured(mesh, meshed.sag, region);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const FacetId f = some.facets[i];
+      EXPECT_EQ(std::isnan(some.value[i]), std::isnan(whole.value[f]));
+      if (!std::isnan(some.value[i])) {
+        EXPECT_EQ(some.value[i], whole.value[f]);
+      }
+      EXPECT_EQ(some.lower[i], whole.lower[f]);
+      EXPECT_EQ(some.upper[i], whole.upper[f]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gabarit

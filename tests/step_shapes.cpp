@@ -1,0 +1,152 @@
+#include "tests/step_shapes.h"
+
+#include <fstream>
+#include <numbers>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shell.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Trsf.hxx>
+
+namespace gabarit::step_shapes {
+
+TopoDS_Shape box(double x, double y, double z) { return BRepPrimAPI_MakeBox(x, y, z).Shape(); }
+
+TopoDS_Shape rounded_box(double x, double y, double z, double radius) {
+  const TopoDS_Shape sharp = box(x, y, z);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(sharp, TopAbs_EDGE, edges);
+  BRepFilletAPI_MakeFillet fillet(sharp);
+  for (int i = 1; i <= edges.Extent(); ++i) fillet.Add(radius, TopoDS::Edge(edges(i)));
+  return fillet.Shape();
+}
+
+TopoDS_Shape cylinder(double radius, double height) {
+  return BRepPrimAPI_MakeCylinder(radius, height).Shape();
+}
+TopoDS_Shape tube(double outer, double inner, double height) {
+  return BRepAlgoAPI_Cut(cylinder(outer, height), cylinder(inner, height)).Shape();
+}
+TopoDS_Shape cone(double bottom, double height) { return BRepPrimAPI_MakeCone(bottom, 0, height).Shape(); }
+TopoDS_Shape sphere(double radius) { return BRepPrimAPI_MakeSphere(radius).Shape(); }
+TopoDS_Shape torus(double ring, double tube) { return BRepPrimAPI_MakeTorus(ring, tube).Shape(); }
+
+TopoDS_Shape moved(const TopoDS_Shape& shape, double x, double y, double z) {
+  gp_Trsf move;
+  move.SetTranslation(gp_Vec(x, y, z));
+  return shape.Moved(move);
+}
+
+TopoDS_Shape turned(const TopoDS_Shape& shape, double degrees_about_x) {
+  gp_Trsf turn;
+  turn.SetRotation(gp::OX(), degrees_about_x * std::numbers::pi / 180);
+  return shape.Moved(turn);
+}
+
+TopoDS_Shape without_a_face(const TopoDS_Shape& shape) {
+  TopoDS_Shell shell;
+  BRep_Builder().MakeShell(shell);
+  TopExp_Explorer it(shape, TopAbs_FACE);
+  for (it.Next(); it.More(); it.Next()) BRep_Builder().Add(shell, it.Current());
+  return shell;
+}
+
+void StepFiles::SetUp() {
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  STEPCAFControl_Controller::Init();
+  IGESControl_Controller::Init();
+  const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+  folder = std::filesystem::path(testing::TempDir()) / (std::string(test->test_suite_name()) + test->name());
+  std::filesystem::create_directories(folder);
+}
+void StepFiles::TearDown() { std::filesystem::remove_all(folder); }
+
+std::filesystem::path StepFiles::step(const TopoDS_Shape& shape, const std::string& unit) const {
+  Interface_Static::SetCVal("write.step.unit", unit.c_str());
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  const std::filesystem::path file = folder / "part.step";
+  writer.Write(file.c_str());
+  Interface_Static::SetCVal("write.step.unit", "MM");
+  return file;
+}
+
+std::filesystem::path StepFiles::iges(const TopoDS_Shape& shape, const std::string& unit) const {
+  IGESControl_Writer writer(unit.c_str(), 1);
+  writer.AddShape(shape);
+  writer.ComputeModel();
+  const std::filesystem::path file = folder / "part.igs";
+  writer.Write(file.c_str());
+  return file;
+}
+
+std::filesystem::path StepFiles::assembly(const std::vector<NamedShape>& parts) const {
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const TDF_Label root = shapes->NewShape();
+  TDataStd_Name::Set(root, "assembly");
+  for (const NamedShape& part : parts) {
+    const TDF_Label product = shapes->AddShape(part.shape.Located(TopLoc_Location()), Standard_False);
+    TDataStd_Name::Set(product, TCollection_ExtendedString(part.name.c_str(), Standard_True));
+    shapes->AddComponent(root, product, part.shape.Location());
+  }
+  shapes->UpdateAssemblies();
+  STEPCAFControl_Writer writer;
+  writer.Transfer(document, STEPControl_AsIs);
+  const std::filesystem::path file = folder / "assembly.stp";
+  writer.Write(file.c_str());
+  return file;
+}
+
+std::filesystem::path StepFiles::text(const std::string& name, const std::string& content) const {
+  const std::filesystem::path file = folder / name;
+  std::ofstream(file, std::ios::binary) << content;
+  return file;
+}
+
+Model loaded(const std::filesystem::path& file, const LoadOptions& options) {
+  Result<Model> model = load(file, options);
+  if (!model) {
+    ADD_FAILURE() << to_string(model.error().front());
+    return {};
+  }
+  return std::move(*model);
+}
+
+double volume(const Model& model) {
+  double six = 0;
+  for (FacetId f = 0; f < model.mesh.facet_count(); ++f) {
+    const auto [a, b, c] = model.mesh.corners(f);
+    six += dot(a, cross(b, c));
+  }
+  return six / 6;
+}
+
+}  // namespace gabarit::step_shapes

@@ -1,0 +1,53 @@
+// Solids made with OpenCASCADE and written to a temporary folder, for the tests of the loaders.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Shape.hxx>
+#include <gtest/gtest.h>
+
+#include "model/load.h"
+
+namespace gabarit::step_shapes {
+
+TopoDS_Shape box(double x, double y, double z);
+// With all twelve edges rounded.
+TopoDS_Shape rounded_box(double x, double y, double z, double radius);
+TopoDS_Shape cylinder(double radius, double height);
+TopoDS_Shape tube(double outer, double inner, double height);
+TopoDS_Shape cone(double bottom, double height);  // with its apex
+TopoDS_Shape sphere(double radius);
+TopoDS_Shape torus(double ring, double tube);
+TopoDS_Shape moved(const TopoDS_Shape& shape, double x, double y, double z);
+TopoDS_Shape turned(const TopoDS_Shape& shape, double degrees_about_x);
+// Its closed shell without the first face.
+TopoDS_Shape without_a_face(const TopoDS_Shape& shape);
+
+struct NamedShape {
+  std::string name;
+  TopoDS_Shape shape;
+};
+
+class StepFiles : public testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  // The file; `unit` is "MM", "INCH" or "M".
+  std::filesystem::path step(const TopoDS_Shape& shape, const std::string& unit = "MM") const;
+  std::filesystem::path iges(const TopoDS_Shape& shape, const std::string& unit = "MM") const;
+  // An assembly with one component for each, named through XCAF; equal shapes become instances of one
+  // product.
+  std::filesystem::path assembly(const std::vector<NamedShape>& parts) const;
+  std::filesystem::path text(const std::string& name, const std::string& content) const;
+  std::filesystem::path folder;
+};
+
+// Fails the test when the file cannot be read.
+Model loaded(const std::filesystem::path& file, const LoadOptions& options = {});
+double volume(const Model& model);
+
+}  // namespace gabarit::step_shapes
