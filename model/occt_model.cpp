@@ -21,6 +21,7 @@ namespace {
 
 constexpr double default_sag = 0.05;       // mm
 constexpr double default_fraction = 1e-3;  // of the longest side of the box
+constexpr double least_fraction = 1e-6;    // likewise
 constexpr double deviation_margin = 1.1;   // of the true greatest deviation over that of the samples
 constexpr double least_sag = 1e-6;         // mm; nothing is known better than that
 constexpr int tessellation_rounds = 4;
@@ -31,6 +32,12 @@ double longest_side(const std::vector<OcctPart>& parts) {
   if (box.IsVoid() || box.IsOpen()) return 0;
   const gp_XYZ size = box.CornerMax().XYZ() - box.CornerMin().XYZ();
   return std::max({size.X(), size.Y(), size.Z()});
+}
+
+// A damaged file may hold a part as large as a planet: even that gets a number of facets that can be made.
+double sag_for(double longest) {
+  if (!(longest > 0)) return default_sag;
+  return std::max({least_sag, std::min(default_sag, default_fraction * longest), least_fraction * longest});
 }
 
 class Filling {
@@ -88,8 +95,7 @@ class Filling {
   }
 
   void tessellate() {
-    const double asked = options_->sag.value_or(
-        std::min(default_sag, std::max(least_sag, default_fraction * longest_side(parts_))));
+    const double asked = options_->sag.value_or(sag_for(longest_side(parts_)));
     std::vector<double> deflections(parts_.size(), asked);
     for (int round = 1; round <= tessellation_rounds && !progress_->time_is_over(); ++round) {
       make_facets(deflections, 0.5 + 0.04 * round);
