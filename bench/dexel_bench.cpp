@@ -6,8 +6,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "bench/motorcycle_mesh.h"
 #include "bench/paper_dexels.h"
-#include "bench/stand_in.h"
 #include "checks/vertical_cylinder_contact.h"
 
 namespace gabarit {
@@ -28,7 +28,7 @@ constexpr std::array table{Row{"A", 437'040, 2054, 1018, 24.75}, Row{"D", 429'45
 const Model& model_of(std::int64_t facets) {
   static std::map<std::int64_t, Model> models;
   Model& model = models[facets];
-  if (model.mesh.facets.empty()) model = stand_in(static_cast<std::size_t>(facets));
+  if (model.mesh.facets.empty()) model = motorcycle_mesh(static_cast<std::size_t>(facets));
   return model;
 }
 
