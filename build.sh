@@ -11,6 +11,8 @@ usage: ./build.sh COMMAND
   demo      build, then check the example motorcycle and say where the report lies
   test      build with everything, then run every test
   bench     build, then run the benchmarks
+  bundle    out/gabarit-VERSION-linux-x86_64.tar.gz: runs on any Linux with glibc 2.36, with and without a GPU;
+            tried in another folder with an empty environment; and a Debian package beside it
   sanitize  run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
   lint      clang-format and clang-tidy
 TEXT
@@ -85,6 +87,90 @@ bench() {
   done
 }
 
+# The GPUs that a bundle has code for (and PTX of the newest, for those to come), as far as this nvcc knows them.
+bundle_architectures() {
+  local nvcc known wanted=()
+  nvcc=$(command -v nvcc || echo /usr/local/cuda/bin/nvcc)
+  if [ ! -x "$nvcc" ]; then echo "No nvcc here: this bundle computes on the CPU only." >&2; return; fi
+  known=$("$nvcc" --list-gpu-arch)
+  for architecture in 75 80 86 89; do
+    if grep -qx "compute_$architecture" <<<"$known"; then wanted+=("$architecture-real")
+    else echo "This nvcc no longer makes code for sm_$architecture." >&2; fi
+  done
+  local IFS=';'
+  echo "-DCMAKE_CUDA_ARCHITECTURES=${wanted[*]};90"
+}
+
+# licence_texts FOLDER: of every library and font in the bundle, and of what was compiled in.
+licence_texts() {
+  local folder=$1/share/doc/gabarit/licences libraries=("$1"/lib/*) file package cuda
+  mkdir -p "$folder"
+  {
+    dpkg -S "${libraries[@]/#*\//*/x86_64-linux-gnu/}" | cut -d: -f1
+    printf '%s\n' fonts-dejavu-core libcgal-dev libboost1.74-dev libmpfr6 nlohmann-json3-dev libcli11-dev
+  } | sort -u | while read -r package; do
+    cp "/usr/share/doc/$package/copyright" "$folder/$package.txt" ||
+      { echo "There is no licence text of $package" >&2; exit 1; }
+  done
+  # The texts that these refer to.
+  { grep -rhoE '/usr/share/common-licenses/[A-Za-z0-9.-]*[A-Za-z0-9]' "$folder" || true; } | sort -u |
+    while read -r file; do if [ -f "$file" ]; then cp -L "$file" "$folder/"; fi; done
+  cuda=$(find -L /usr/local/cuda -path '*cuda_runtime*' -type f -iname 'license*' -print -quit 2>/dev/null || true)
+  if [ -z "$cuda" ]; then cuda=$(find -L /usr/local/cuda -maxdepth 2 -type f -iname 'EULA*' -print -quit 2>/dev/null || true); fi
+  if [ -n "$cuda" ]; then cp "$cuda" "$folder/cuda-runtime.txt"; fi
+}
+
+# try_bundle ARCHIVE: unpacked somewhere else, with an empty environment, it checks a cube that breaks the rule.
+try_bundle() {
+  local place code=0
+  place=$(mktemp -d)
+  tar -C "$place" -xzf "$1"
+  local program=("$place"/*/bin/gabarit)
+  if ldd "${program[0]}" | grep -E '=> ' | grep -vE "$place/|/lib(c|m|dl|rt|pthread|resolv|util)\.so"; then
+    echo "The bundle uses these libraries of the system" >&2
+    exit 1
+  fi
+  printf '%s\n' OFF '8 6 0' '0 0 0' '90 0 0' '90 90 0' '0 90 0' '0 0 90' '90 0 90' '90 90 90' '0 90 90' \
+    '4 0 3 2 1' '4 4 5 6 7' '4 0 1 5 4' '4 1 2 6 5' '4 2 3 7 6' '4 3 0 4 7' >"$place/cube.off"
+  (cd "$place" && env -i "${program[0]}" check cube.off --rules motorcycle-column --out report >log 2>&1) || code=$?
+  if [ "$code" -ne 1 ] || [ ! -s "$place/report/violations.stl" ]; then
+    cat "$place/log" >&2
+    echo "A cube breaks the rule: the unpacked program should have ended with 1, not with $code" >&2
+    exit 1
+  fi
+  if ! pdffonts "$place/report/report.pdf" | grep -q DejaVu; then
+    echo "The unpacked program did not find its fonts" >&2
+    exit 1
+  fi
+  rm -r "$place"
+}
+
+bundle() {
+  deps
+  install dpkg-dev
+  local name folder archive options=(-DCMAKE_BUILD_TYPE=Release -DGABARIT_TESTS=OFF)
+  mapfile -t -O "${#options[@]}" options < <(bundle_architectures)
+  configure build-bundle "${options[@]}" -DGABARIT_BUNDLE=ON
+  cmake --build build-bundle --target gabarit
+  name=gabarit-$(build-bundle/gabarit --version | grep -oE '[0-9.]+' | head -1)-linux-x86_64
+  folder=out/$name archive=out/$name.tar.gz
+  rm -rf "$folder"
+  cmake --install build-bundle --prefix "$folder" --strip >/dev/null
+  licence_texts "$folder"
+  tar -C out --sort=name --owner=0 --group=0 --numeric-owner --mtime="@${SOURCE_DATE_EPOCH:-0}" -c "$name" |
+    gzip -9n >"$archive"
+  try_bundle "$archive"
+  if [ "$(stat -c %s "$archive")" -ge 64000000 ]; then
+    echo "$archive has $(stat -c %s "$archive") bytes, more than 64 MB" >&2
+    exit 1
+  fi
+  configure build-bundle "${options[@]}" -DGABARIT_BUNDLE=OFF
+  cmake --build build-bundle --target gabarit
+  (cd build-bundle && cpack -B "$PWD/packages" >/dev/null)
+  cp build-bundle/packages/*.deb out/
+  du -sh "$folder" "$archive" out/*.deb
+}
+
 lint() {
   deps
   install clang-format-14 clang-tidy-14
@@ -100,6 +186,7 @@ case "${1:-}" in
   demo) demo ;;
   test) run_tests ;;
   bench) bench ;;
+  bundle) bundle ;;
   sanitize) sanitize ;;
   lint) lint ;;
   -h | --help | help) usage ;;

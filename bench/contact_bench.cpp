@@ -1,11 +1,11 @@
-// What the contact check takes on a motorcycle-like mesh, stage by stage and as a whole, on one thread and on
+// What the contact check takes on the example motorcycle, stage by stage and as a whole, on one thread and on
 // two, and how it grows with the facets (the fitted order at the end).
 #include <algorithm>
 #include <map>
 
 #include <benchmark/benchmark.h>
 
-#include "bench/stand_in.h"
+#include "bench/motorcycle_mesh.h"
 #include "checks/contact_depth.h"
 #include "checks/reachable_sides.h"
 #include "checks/vertical_cylinder_contact.h"
@@ -19,7 +19,7 @@ constexpr double sag = 0.1;
 const Model& model_of(std::int64_t facets) {
   static std::map<std::int64_t, Model> models;
   auto& model = models[facets];
-  if (model.mesh.facets.empty()) model = stand_in(static_cast<std::size_t>(facets));
+  if (model.mesh.facets.empty()) model = motorcycle_mesh(static_cast<std::size_t>(facets));
   return model;
 }
 
@@ -91,4 +91,3 @@ BENCHMARK(contact)->Apply(sizes)->Complexity(benchmark::oN);
 
 }  // namespace
 }  // namespace gabarit
-

@@ -10,6 +10,7 @@
 #include "cli/devices.h"
 #include "cli/messages.h"
 #include "cli/output_folder.h"
+#include "cli/rule_file.h"
 #include "cli/run_record.h"
 #include "report/terminal.h"
 #include "rules/engine.h"
@@ -22,7 +23,7 @@ static std::optional<std::vector<RuleSet>> read_all_rules(const CheckOptions& op
   std::vector<RuleSet> sets;
   bool fine = true;
   for (const std::string& file : options.rules) {
-    Result<RuleSet> set = read_rules(file);
+    Result<RuleSet> set = read_rules(rule_file(file));
     if (set) {
       sets.push_back(std::move(*set));
     } else {

@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/exit_code.h"
 #include "cli/messages.h"
+#include "cli/rule_file.h"
 #include "rules/read_rules.h"
 
 namespace gabarit {
@@ -12,7 +13,7 @@ namespace gabarit {
 static int run_validate(const std::vector<std::string>& files) {
   int code = exit_clean;
   for (const std::string& file : files) {
-    const Result<RuleSet> rules = read_rules(file);
+    const Result<RuleSet> rules = read_rules(rule_file(file));
     if (rules) {
       print_result(fmt::format("{}: fine: {}, {} rules\n", file, rules->id, rules->rules.size()));
     } else {

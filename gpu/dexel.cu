@@ -8,54 +8,95 @@
 namespace gabarit {
 namespace {
 
-// Which features may cross the lines of a block, so that a line need not ask all of them.
+// A point or an edge, with the range of x that its disk or rectangle keeps within.
+struct Feature {
+  Rectangle middle;  // of size 0 for a point
+  double low, high;
+
+  GABARIT_HD Dexel across(double radius, double y) const {
+    return middle.size > 0 ? across_rectangle(middle, radius, y) : across_disk(middle.from, radius, y);
+  }
+};
+
+// Which features may cross the lines of a block. Those that lie in it come first: they cover the most.
 struct Bins {
   static constexpr std::int64_t lines = 16;  // in a block
 
-  std::vector<std::uint32_t> first;     // by block, and the end
-  std::vector<std::uint32_t> features;  // points first, then edges
+  std::vector<Feature> features;
+  std::vector<std::uint32_t> first;    // by block, and the end
+  std::vector<std::uint32_t> numbers;  // of features
 };
 
-struct Blocks {
-  std::int64_t first, last;
-};
+class Binning {
+ public:
+  Binning(const DexelLines& lines, double radius) : lines_(lines), radius_(radius) {
+    bins_.first.assign(static_cast<std::size_t>((lines.count + Bins::lines - 1) / Bins::lines) + 1, 0);
+  }
+  void add(const Rectangle& middle, Point2 from, Point2 to) {
+    // A little more than the radius, against rounding.
+    const double reach = radius_ * (1 + 1e-6);
+    bins_.features.push_back({middle, std::min(from.x, to.x) - reach, std::max(from.x, to.x) + reach});
+    spans_.push_back({std::min(from.y, to.y), std::max(from.y, to.y)});
+  }
+  Bins finish() && {
+    for_each_block([&](std::size_t block, std::uint32_t) { ++bins_.first[block + 1]; });
+    for (std::size_t i = 1; i < bins_.first.size(); ++i) bins_.first[i] += bins_.first[i - 1];
+    bins_.numbers.resize(bins_.first.back());
+    std::vector<std::uint32_t> next = bins_.first;
+    for_each_block([&](std::size_t block, std::uint32_t number) { bins_.numbers[next[block]++] = number; });
+    return std::move(bins_);
+  }
 
-Blocks blocks_of(double low, double high, const DexelLines& lines) {
-  const auto block = [&](double y) {
-    const double line =
-        std::clamp((y - lines.first) / lines.spacing, 0.0, static_cast<double>(lines.count - 1));
-    return static_cast<std::int64_t>(line) / Bins::lines;
+ private:
+  struct Span {
+    double low, high;
+  };
+  struct Blocks {
+    std::int64_t first, last;
   };
   // A line more on either side, against rounding.
-  return {block(low - lines.spacing), block(high + lines.spacing)};
-}
+  Blocks blocks_of(double low, double high) const {
+    const auto block = [&](double y) {
+      const double line = (y - lines_.first) / lines_.spacing;
+      return static_cast<std::int64_t>(std::clamp(line, 0.0, static_cast<double>(lines_.count - 1))) /
+             Bins::lines;
+    };
+    return {block(low - lines_.spacing), block(high + lines_.spacing)};
+  }
+  template <class Use>
+  void for_each_block(Use&& use) const {
+    const auto visit = [&](std::uint32_t number, std::int64_t first, std::int64_t last) {
+      for (std::int64_t b = first; b <= last; ++b) use(static_cast<std::size_t>(b), number);
+    };
+    for (std::uint32_t i = 0; i < spans_.size(); ++i) {
+      const Blocks own = blocks_of(spans_[i].low, spans_[i].high);
+      visit(i, own.first, own.last);
+    }
+    for (std::uint32_t i = 0; i < spans_.size(); ++i) {
+      const Blocks own = blocks_of(spans_[i].low, spans_[i].high);
+      const Blocks all = blocks_of(spans_[i].low - radius_, spans_[i].high + radius_);
+      visit(i, all.first, own.first - 1);
+      visit(i, own.last + 1, all.last);
+    }
+  }
+
+  DexelLines lines_;
+  double radius_;
+  Bins bins_;
+  std::vector<Span> spans_;  // in y
+};
 
 Bins bin(std::span<const Point2> points, std::span<const PlanEdge> edges, const DexelLines& lines,
          double radius) {
-  const auto for_each_block = [&](auto&& use) {
-    std::uint32_t feature = 0;
-    const auto enter = [&](double low, double high) {
-      const Blocks blocks = blocks_of(low - radius, high + radius, lines);
-      for (std::int64_t b = blocks.first; b <= blocks.last; ++b) use(static_cast<std::size_t>(b), feature);
-      ++feature;
-    };
-    for (const Point2 p : points) enter(p.y, p.y);
-    for (const PlanEdge& e : edges) enter(std::min(e.from.y, e.to.y), std::max(e.from.y, e.to.y));
-  };
-  Bins bins;
-  bins.first.assign(static_cast<std::size_t>((lines.count + Bins::lines - 1) / Bins::lines) + 1, 0);
-  for_each_block([&](std::size_t block, std::uint32_t) { ++bins.first[block + 1]; });
-  for (std::size_t i = 1; i < bins.first.size(); ++i) bins.first[i] += bins.first[i - 1];
-  bins.features.resize(bins.first.back());
-  std::vector<std::uint32_t> next = bins.first;
-  for_each_block([&](std::size_t block, std::uint32_t feature) { bins.features[next[block]++] = feature; });
-  return bins;
+  Binning binning(lines, radius);
+  for (const Point2 p : points) binning.add({p, {}, 0}, p, p);
+  for (const PlanEdge& e : edges) binning.add(Rectangle::of(e), e.from, e.to);
+  return std::move(binning).finish();
 }
 
 struct UniteLine {
-  View<const Point2> points;
-  View<const PlanEdge> edges;
-  View<const std::uint32_t> first, features;
+  View<const Feature> features;
+  View<const std::uint32_t> first, numbers;
   DexelLines lines;
   double radius;
   std::int64_t capacity;
@@ -67,9 +108,8 @@ struct UniteLine {
     const double y = lines.y(line);
     const std::int64_t block = line / Bins::lines;
     for (std::uint32_t i = first[block]; i < first[block + 1] && !all.overflow; ++i) {
-      const std::int64_t feature = features[i];
-      all.add(feature < points.size ? across_disk(points[feature], radius, y)
-                                    : across_rectangle(edges[feature - points.size], radius, y));
+      const Feature& feature = features[numbers[i]];
+      if (!all.covers(feature.low, feature.high)) all.add(feature.across(radius, y));
     }
     count[line] = all.overflow ? -1 : all.size;
   }
@@ -93,9 +133,8 @@ Dexels offset_dexels(const Device& device, std::span<const Point2> points, std::
                      const DexelLines& lines, double radius) {
   if (lines.count <= 0) return {{0}, {}};
   const Bins bins = bin(points, edges, lines, radius);
-  const Buffer<Point2> centres(device, points);
-  const Buffer<PlanEdge> middles(device, edges);
-  const Buffer<std::uint32_t> first(device, bins.first), features(device, bins.features);
+  const Buffer<Feature> features(device, bins.features);
+  const Buffer<std::uint32_t> first(device, bins.first), numbers(device, bins.numbers);
   std::vector<std::int64_t> count(static_cast<std::size_t>(lines.count));
   // Few lines run in and out of a figure often: more room is made when one needs it.
   for (std::int64_t capacity = 16;; capacity *= 4) {
@@ -103,8 +142,8 @@ Dexels offset_dexels(const Device& device, std::span<const Point2> points, std::
     Buffer<Dexel> dexels(device, rooms);
     Buffer<std::int64_t> counts(device, count);
     parallel_for(device, lines.count,
-                 UniteLine{centres.view(), middles.view(), first.view(), features.view(), lines, radius,
-                           capacity, dexels.view(), counts.view()},
+                 UniteLine{features.view(), first.view(), numbers.view(), lines, radius, capacity,
+                           dexels.view(), counts.view()},
                  8);
     counts.read(count);
     if (*std::min_element(count.begin(), count.end()) < 0) continue;

@@ -30,16 +30,25 @@ GABARIT_HD inline void cut_to_slab(Dexel& part, double value, double slope, doub
   if (last < part.to) part.to = last;
 }
 
-// The rectangle along an edge that reaches `radius` to both sides.
-GABARIT_HD inline Dexel across_rectangle(const PlanEdge& edge, double radius, double y) {
-  const Point2 whole = edge.to - edge.from;
-  const double size = length(whole);
-  const Point2 along = whole * (1 / size);
-  const double up = y - edge.from.y;
+// Along an edge, reaching as far as a radius to both sides.
+struct Rectangle {
+  Point2 from, along;  // a unit vector
+  double size;
+
+  GABARIT_HD static Rectangle of(const PlanEdge& edge) {
+    const Point2 whole = edge.to - edge.from;
+    const double size = length(whole);
+    return {edge.from, whole * (1 / size), size};
+  }
+};
+
+GABARIT_HD inline Dexel across_rectangle(const Rectangle& rectangle, double radius, double y) {
+  const Point2 along = rectangle.along;
+  const double up = y - rectangle.from.y;
   Dexel part{-1e300, 1e300};
-  cut_to_slab(part, up * along.y, along.x, 0, size);
+  cut_to_slab(part, up * along.y, along.x, 0, rectangle.size);
   cut_to_slab(part, up * along.x, -along.y, -radius, radius);
-  return part.from < part.to ? Dexel{edge.from.x + part.from, edge.from.x + part.to} : Dexel{0, 0};
+  return part.from < part.to ? Dexel{rectangle.from.x + part.from, rectangle.from.x + part.to} : Dexel{0, 0};
 }
 
 // A union of intervals in memory of fixed size, ascending and disjoint. Every end is an end that was given.
@@ -49,6 +58,12 @@ struct DexelUnion {
   std::int64_t size = 0;
   bool overflow = false;
 
+  GABARIT_HD bool covers(double from, double to) const {
+    for (std::int64_t i = 0; i < size; ++i) {
+      if (list[i].to >= to) return list[i].from <= from;
+    }
+    return false;
+  }
   GABARIT_HD void add(Dexel part) {
     if (!(part.from < part.to)) return;
     std::int64_t begin = size;

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "report/installation.h"
+
 namespace gabarit::pdf {
 
 namespace fs = std::filesystem;
@@ -62,6 +64,8 @@ static std::vector<fs::path> usual_folders() {
     }
     return folders;
   }
+  if (const fs::path installed = installed_files(); !installed.empty())
+    folders.push_back(installed / "fonts");
   if (const char* const home = std::getenv("HOME")) {
     folders.push_back(fs::path(home) / ".local/share/fonts");
     folders.push_back(fs::path(home) / ".fonts");

@@ -1,4 +1,4 @@
-// Where the fonts of a report come from: the machine's usual folders.
+// Where the fonts of a report come from: those that came with the program, then the machine's usual folders.
 #pragma once
 
 #include <filesystem>

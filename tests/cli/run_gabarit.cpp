@@ -21,7 +21,7 @@ Ending run_gabarit(const std::vector<std::string>& arguments, const RunOptions& 
   script += "\nexec \"$@\" >\"$out\" 2>\"$err\" </dev/null";
   std::vector<std::string> words{"/bin/sh", "-c", script, "sh", options.folder, out, err};
   words.insert(words.end(), options.through.begin(), options.through.end());
-  words.emplace_back(GABARIT_PROGRAM);
+  words.push_back(options.program.empty() ? GABARIT_PROGRAM : options.program);
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

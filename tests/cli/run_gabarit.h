@@ -13,6 +13,7 @@ struct Ending {
 };
 
 struct RunOptions {
+  std::string program = {};               // instead of the one that was built
   std::string folder = ".";               // to run in
   std::string before = {};                // shell commands in front, such as "ulimit -f 8"
   std::string out_to = {};                // a file for standard output instead of `out`
