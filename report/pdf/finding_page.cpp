@@ -19,14 +19,14 @@ constexpr double close_up_share = 0.8;  // of the resolution: it shows few facet
 // Wide enough to hold the finding when that still shows it, never so near that nobody knows the place.
 double close_up_extent(const Box3d& model, const Box3d& finding) {
   const double whole = length(model.extent());
-  return std::clamp(1.6 * length(finding.extent()), whole / 12, whole / 3);
+  return std::clamp(2 * length(finding.extent()), whole / 24, whole / 3);
 }
 
 void draw_number(Book& book, const RuleResult& result, const Finding& finding) {
   Flow& flow = book.flow;
   const Requirement& require = result.rule.require;
-  const TextStyle large{Face::bold, 22, verdict_colour(finding.verdict)};
-  const std::string value = fitted(flow.fonts(), measured_text(finding.worst.value, require), large, 80);
+  const std::string value = measured_text(finding.worst.value, require);
+  const TextStyle large = shrunk(flow.fonts(), value, {Face::bold, 22, verdict_colour(finding.verdict)}, 80);
   flow.canvas().text({margin_left, flow.y() + 8}, value, large);
   const double x = margin_left + flow.canvas().width(value, large) + 5, width = page_width - margin_right - x;
   flow.canvas().text({x, flow.y() + 3.8},

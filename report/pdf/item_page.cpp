@@ -20,12 +20,12 @@ std::string size_text(const Box3d& box) {
   return fmt::format("{} × {} × {} mm", number_text(size.x), number_text(size.y), number_text(size.z));
 }
 
-std::string sag_origin(const Book& book, const Setup& setup) {
-  if (book.model().sag && *book.model().sag == setup.sag) return "declared for the model";
-  for (const RuleSet& set : book.outcome().rulesets) {
-    if (set.sag && *set.sag == setup.sag) return "from the rule file";
-  }
-  return "set for this run";
+// In the order in which resolve_setup() takes them.
+const char* sag_origin(const Book& book, const RuleSet& set) {
+  const std::vector<std::string>& words = book.report->command_line;
+  if (std::find(words.begin(), words.end(), "--sag") != words.end()) return "given on the command line";
+  if (book.model().sag) return "declared with the model";
+  return set.sag ? "from the rule file" : "the default: neither model nor rule file declares one";
 }
 
 // The part without any verdict, and how the model's axes lie.
@@ -110,7 +110,7 @@ void add_setup(Book& book) {
                            set.ground == Ground::lowest ? "the lowest point of the model"
                                                         : "given by the rule file"));
     flow.entry("Sag", fmt::format("{}, {}: the true surface is taken to lie no further from the facets",
-                                  length_text(setup.sag), sag_origin(book, setup)));
+                                  length_text(setup.sag), sag_origin(book, set)));
   }
   if (book.outcome().setups.size() > most_setups)
     flow.entry("", fmt::format("… {} in all", counted(book.outcome().setups.size(), "rule set")));

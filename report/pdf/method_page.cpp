@@ -1,6 +1,7 @@
 #include "report/pdf/method_page.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
@@ -107,6 +108,12 @@ void add_where(Book& book, const RuleResult& result) {
   flow.pass_reserved();
 }
 
+// Descriptors say it as a part of a sentence.
+std::string as_sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
 void add_measure(Book& book, const RuleResult& result) {
   const Measure* const measure = result.rule.require.measure;
   if (measure == nullptr) return;
@@ -116,7 +123,8 @@ void add_measure(Book& book, const RuleResult& result) {
       explained_before(book, result, [&](const Rule& rule) { return rule.require.measure == measure; });
   if (!before && has_sketch(*measure))
     draw_sketch(flow.canvas(), flow.reserve_right(sketch_width, sketch_height), *measure);
-  if (measure->sentence != nullptr) flow.paragraph(measure->sentence(result.rule.require.arguments));
+  if (measure->sentence != nullptr)
+    flow.paragraph(as_sentence(measure->sentence(result.rule.require.arguments)));
   add_explanation(book, measure_text(result.rule.require), measure->summary, measure->documentation, before);
   flow.pass_reserved();
 }

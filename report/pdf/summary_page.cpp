@@ -19,8 +19,8 @@ void draw_number(Book& book, const RuleResult& result) {
   Canvas& canvas = flow.canvas();
   const Requirement& require = result.rule.require;
   const double y = flow.y();
-  const TextStyle large{Face::bold, 26, verdict_colour(result.verdict)};
-  const std::string value = fitted(flow.fonts(), measured_text(result.worst.value, require), large, 75);
+  const std::string value = measured_text(result.worst.value, require);
+  const TextStyle large = shrunk(flow.fonts(), value, {Face::bold, 26, verdict_colour(result.verdict)}, 75);
   canvas.text({margin_left, y + 9.5}, value, large);
   canvas.text({margin_left, y + 15.5}, fitted(flow.fonts(), "worst " + measure_text(require), quiet_text, 75),
               quiet_text);

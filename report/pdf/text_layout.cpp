@@ -81,6 +81,12 @@ std::vector<std::string> wrap(Fonts& fonts, std::string_view text, const TextSty
   return lines;
 }
 
+TextStyle shrunk(Fonts& fonts, std::string_view line, TextStyle style, double width) {
+  const double taken = fonts.width(style.face, line) * style.size / points_per_mm;
+  if (taken > width) style.size *= width / taken;
+  return style;
+}
+
 std::string fitted(Fonts& fonts, std::string_view text, const TextStyle& style, double width) {
   const Breaker breaker(fonts, style, width);
   const std::u32string codes = code_points(text.substr(0, 4000));

@@ -19,6 +19,9 @@ constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 std::vector<std::string> wrap(Fonts& fonts, std::string_view text, const TextStyle& style, double width,
                               std::size_t most = any_number);
 
+// The style made small enough for the whole line to take at most `width` mm: a number must not lose digits.
+TextStyle shrunk(Fonts& fonts, std::string_view line, TextStyle style, double width);
+
 // One line of at most `width` mm, cut off with "…".
 std::string fitted(Fonts& fonts, std::string_view text, const TextStyle& style, double width);
 

@@ -58,6 +58,13 @@ TEST_F(TextLayout, what_does_not_fit_is_cut_off_with_a_sign) {
   EXPECT_EQ(fitted(fonts_, "one two", body_text, width("one t…")), "one t…");
 }
 
+TEST_F(TextLayout, a_number_shrinks_before_it_loses_digits) {
+  const std::string number = "0.0002368 mm";
+  EXPECT_EQ(shrunk(fonts_, number, body_text, 100).size, body_text.size);
+  const TextStyle style = shrunk(fonts_, number, body_text, 5);
+  EXPECT_NEAR(fonts_.width(style.face, number) * style.size / points_per_mm, 5, 1e-9);
+}
+
 TEST_F(TextLayout, a_room_too_small_for_a_letter_still_ends) {
   EXPECT_THAT(wrap(fonts_, "WWW", body_text, 0.1), SizeIs(3));
   EXPECT_EQ(fitted(fonts_, "WWW", body_text, 0.1), "…");

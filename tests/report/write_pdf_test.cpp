@@ -87,6 +87,17 @@ TEST(write_pdf, a_finding_has_a_page_with_its_place_in_both_frames_and_its_stl) 
   ADD_FAILURE() << "no page for the finding";
 }
 
+TEST(write_pdf, the_item_page_says_where_the_sag_comes_from) {
+  SampleReport sample;
+  sample.model.sag.reset();
+  Report report = sample.report();
+  EXPECT_THAT(pdf_pages(report)[2], HasSubstr("the default: neither"));
+  sample.outcome.rulesets[0].sag = 0.1;
+  EXPECT_THAT(pdf_pages(report)[2], HasSubstr("0.1 mm, from the rule file"));
+  report.command_line = {"gabarit", "check", "--sag", "0.1mm"};
+  EXPECT_THAT(pdf_pages(report)[2], HasSubstr("0.1 mm, given on the command line"));
+}
+
 TEST(write_pdf, same_report_same_bytes_on_any_number_of_threads) {
   const SampleReport sample;
   PdfOptions options = quick_pdf();
