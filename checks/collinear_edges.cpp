@@ -10,7 +10,7 @@ namespace {
 struct Stretch {
   bool along_x;
   double line;
-  int area;
+  std::int8_t area;
   double from, to;
   std::uint32_t low, high;  // points
 
@@ -27,9 +27,9 @@ Stretch stretch_of(const OutlineFeatures& outline, std::size_t edge, bool along_
   const double from = along_x ? a.x : a.y;
   const double to = along_x ? b.x : b.y;
   const double line = along_x ? a.y : a.x;
-  const int area = outline.area[edge];
+  const std::int8_t area = outline.area[edge];
   if (from < to) return {along_x, line, area, from, to, first, second};
-  return {along_x, line, -area, to, from, second, first};
+  return {along_x, line, static_cast<std::int8_t>(-area), to, from, second, first};
 }
 
 class Builder {
@@ -41,11 +41,11 @@ class Builder {
       if (of_edge_[p] == 0) keep(p);
     }
   }
-  void add(std::uint32_t a, std::uint32_t b, int area) {
+  void add(std::uint32_t a, std::uint32_t b, std::int8_t area) {
     const std::uint32_t from = keep(a);
     const std::uint32_t to = keep(b);
     out_.edges.emplace_back(from, to);
-    out_.area.push_back(static_cast<std::int8_t>(area));
+    out_.area.push_back(area);
   }
   OutlineFeatures finish() && { return std::move(out_); }
 
