@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "checks/collinear_edges.h"
 #include "model/weld.h"
 
 namespace gabarit {
@@ -63,7 +64,7 @@ OutlineFeatures outline_features(const std::vector<PlanSide>& sides) {
     }
     begin = end;
   }
-  return out;
+  return join_collinear(out);
 }
 
 }  // namespace gabarit

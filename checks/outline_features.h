@@ -27,7 +27,8 @@ struct OutlineFeatures {
 
 // Sides that are equal in plan count once. An edge with projected area strictly on both sides lies inside the
 // projection: no column can touch its inner points (orientations are exact). Points of no edge that is left
-// are dropped with it, isolated points stay.
+// are dropped with it, isolated points stay. Edges along x or y that lie on one line are joined (see
+// join_collinear).
 OutlineFeatures outline_features(const std::vector<PlanSide>& sides);
 
 }  // namespace gabarit
