@@ -63,8 +63,9 @@ std::vector<DrawnView> add_views_page(Book& book, const RuleResult& result, cons
   std::vector<DrawnView> drawn;
   const double top = flow.y() + 1;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const double x = margin_left + static_cast<double>(i % 2) * (picture_width + gap);
-    const double y = top + static_cast<double>(i / 2) * (picture_height + caption_height + 1.5);
+    const std::size_t row = i / 2, column = i % 2;
+    const double x = margin_left + static_cast<double>(column) * (picture_width + gap);
+    const double y = top + static_cast<double>(row) * (picture_height + caption_height + 1.5);
     ModelView view{{x, y, picture_width, picture_height}, views[i].camera, colouring.facets, marked};
     if (views[i].name == "top") view.lines = lines;
     const HPDF_Image image = draw_view(book, view, caption_of(views[i], lines, result));
