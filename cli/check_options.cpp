@@ -14,7 +14,7 @@ namespace gabarit {
 
 void CheckOptions::add_to(CLI::App& command) {
   model.add_file_to(command);
-  command.add_option("--rules", rules, "Rule file, or the name of an installed pack; may be given again")
+  command.add_option("--rules", rules, "Rule file or installed pack; may be given again")
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false);

@@ -15,7 +15,7 @@ namespace gabarit {
 // How much is written out; what is left out is said on the page, with how much there is in all.
 struct PdfLimits {
   std::size_t rules = 40;              // with pages of their own: those that need attention come first
-  std::size_t findings_a_rule = 12;    // with a page of their own
+  std::size_t findings_a_rule = 8;     // with a page of their own; rules that are notes have none
   std::size_t findings = 60;           // with a page of their own, over all rules
   std::size_t table_rows = 1000;       // of the annex's table of findings
   std::size_t rule_file_lines = 1200;  // of each rule file in the annex
@@ -24,8 +24,8 @@ struct PdfLimits {
 struct PdfOptions {
   Device device = {};  // draws the pictures
   // Of the pictures, dots an inch; many pictures have fewer, so that together they keep to the megapixels
-  // (and the file to some 6 MB), but never under 80.
-  double resolution = 200, megapixels = 24;
+  // (and the file to some 4 MB), but never under 80.
+  double resolution = 200, megapixels = 12;
   PdfLimits limits = {};
   // Where fonts are looked for; not given: see pdf::find_fonts.
   std::optional<std::vector<std::filesystem::path>> font_folders = {};

@@ -39,7 +39,9 @@ Book::Book(const Report& r, const PdfOptions& o, Document& document, Fonts& font
   for (const RuleResult* result : with_pages) {
     if (!has_pictures(result->verdict)) continue;
     const std::size_t left = options->limits.findings - findings;
-    const std::size_t pages = std::min({result->findings.size(), options->limits.findings_a_rule, left});
+    const bool note = result->rule.severity == Severity::note;
+    const std::size_t most = note ? 0 : std::min(options->limits.findings_a_rule, left);
+    const std::size_t pages = std::min(result->findings.size(), most);
     finding_pages_[result] = pages;
     findings += pages;
     ++rules;

@@ -22,6 +22,8 @@ static void add_findings(Book& book, const RuleResult& result) {
                                            area_text(result.area_examined)));
   }
   add_findings_table(book, result, 40);
+  if (result.rule.severity == Severity::note)
+    book.flow.paragraph("The rule is a note, for information: its findings have no pages of their own.");
 }
 
 static void add_chapter(Book& book, const RuleResult& result) {

@@ -9,7 +9,7 @@ namespace {
 
 // Tiles that a facet may show in, ends included.
 struct Footprint {
-  int left = 0, right = -1, top = 0, bottom = -1;
+  std::int16_t left = 0, right = -1, top = 0, bottom = -1;
   bool far = false;
 
   bool empty() const { return left > right || top > bottom; }
@@ -43,27 +43,40 @@ Footprint Binning::footprint(FacetId f) const {
   const bool between_samples =
       first_sample(left) > last_sample(right) || first_sample(top) > last_sample(bottom);
   if (between_samples && !is_marked) return {};
-  return {std::max(0, left - rim) / tile_units, std::min(columns - 1, (right + rim) / tile_units),
-          std::max(0, top - rim) / tile_units, std::min(rows - 1, (bottom + rim) / tile_units),
+  const auto tile = [](int number) { return static_cast<std::int16_t>(number); };  // 128 a side at most
+  return {tile(std::max(0, left - rim) / tile_units), tile(std::min(columns - 1, (right + rim) / tile_units)),
+          tile(std::max(0, top - rim) / tile_units), tile(std::min(rows - 1, (bottom + rim) / tile_units)),
           a.far() || b.far() || c.far()};
 }
 
 constexpr std::size_t chunk_facets = 1 << 15;
 
-// Calls act(facet, tile) for the facets of a chunk in ascending order, and `act(facet, -1)` for large ones.
-template <class Act>
-void for_each_entry(const Binning& binning, std::size_t chunk, Act act) {
+// A facet that may show, and where.
+struct Shown {
+  FacetId facet;
+  Footprint print;
+};
+
+std::vector<Shown> shown_of(const Binning& binning, std::size_t chunk) {
+  std::vector<Shown> shown;
   const std::size_t end = std::min((chunk + 1) * chunk_facets, binning.mesh.facet_count());
   for (std::size_t i = chunk * chunk_facets; i < end; ++i) {
     const auto f = static_cast<FacetId>(i);
-    const Footprint print = binning.footprint(f);
-    if (print.empty()) continue;
+    if (const Footprint print = binning.footprint(f); !print.empty()) shown.push_back({f, print});
+  }
+  return shown;
+}
+
+// Calls act(facet, tile) in the order of the facets, and `act(facet, -1)` for large ones.
+template <class Act>
+void for_each_entry(const std::vector<Shown>& shown, int columns, Act act) {
+  for (const auto& [f, print] : shown) {
     if (print.large()) {
       act(f, -1);
       continue;
     }
     for (int row = print.top; row <= print.bottom; ++row) {
-      for (int column = print.left; column <= print.right; ++column) act(f, row * binning.columns + column);
+      for (int column = print.left; column <= print.right; ++column) act(f, row * columns + column);
     }
   }
 }
@@ -80,11 +93,13 @@ TileBins::TileBins(const TriangleMesh& mesh, const std::vector<ScreenPoint>& poi
   // Bin 0 is that of the large ones. Counted a chunk at a time, then every chunk knows where to write.
   const auto bins = static_cast<std::size_t>(tiles()) + 1;
   std::vector<std::uint32_t> counts(chunks * bins);
+  std::vector<std::vector<Shown>> shown(chunks);
   parallel_for_cpu(
       device, static_cast<std::int64_t>(chunks),
       [&](std::int64_t chunk) {
         const auto c = static_cast<std::size_t>(chunk);
-        for_each_entry(binning, c,
+        shown[c] = shown_of(binning, c);
+        for_each_entry(shown[c], columns_,
                        [&](FacetId, int tile) { ++counts[c * bins + static_cast<std::size_t>(tile + 1)]; });
       },
       1);
@@ -101,7 +116,7 @@ TileBins::TileBins(const TriangleMesh& mesh, const std::vector<ScreenPoint>& poi
       device, static_cast<std::int64_t>(chunks),
       [&](std::int64_t chunk) {
         std::size_t* next = starts.data() + static_cast<std::size_t>(chunk) * bins;
-        for_each_entry(binning, static_cast<std::size_t>(chunk),
+        for_each_entry(shown[static_cast<std::size_t>(chunk)], columns_,
                        [&](FacetId f, int tile) { (tile < 0 ? large_ : facets_)[next[tile + 1]++] = f; });
       },
       1);

@@ -128,7 +128,17 @@ TEST(write_pdf, many_findings_are_listed_up_to_a_number_and_counted_in_full) {
   const std::string text = pdf_text(sample.report());
   EXPECT_THAT(text, AllOf(HasSubstr("failing/1000 "), Not(HasSubstr("failing/1001 ")),
                           HasSubstr("2500 findings in all")));
-  EXPECT_THAT(text, AllOf(HasSubstr("Finding failing/12 "), Not(HasSubstr("Finding failing/13 "))));
+  EXPECT_THAT(text, AllOf(HasSubstr("Finding failing/8 "), Not(HasSubstr("Finding failing/9 "))));
+}
+
+TEST(write_pdf, findings_of_a_note_are_listed_without_pages_of_their_own) {
+  SampleReport sample;
+  RuleResult& failing = sample.rule("failing");
+  failing.rule.severity = Severity::note;
+  const std::string text = pdf_text(sample.report());
+  EXPECT_THAT(text, AllOf(HasSubstr(failing.findings.front().id + " FAIL"),
+                          HasSubstr("its findings have no pages of their own"),
+                          Not(HasSubstr("Finding " + failing.findings.front().id + " "))));
 }
 
 TEST(write_pdf, a_long_rule_file_is_cut_off_with_a_note) {
