@@ -27,13 +27,6 @@ static std::vector<Segment2> centres(const DiskPath& path) {
   return lines;
 }
 
-static std::vector<Segment2> segments_of(const std::vector<PlanSide>& sides) {
-  std::vector<Segment2> segments;
-  segments.reserve(sides.size());
-  for (const PlanSide& side : sides) segments.push_back({side.from, side.to});
-  return segments;
-}
-
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -116,14 +109,18 @@ struct LowerDepths {
 }  // namespace
 
 ContactDepth::ContactDepth(const std::vector<PlanSide>& sides, double radius)
-    : sides_(segments_of(sides)), grid_(sides_, radius / 64) {}
+    : sides_(distinct_segments(sides)), grid_(sides_.segments, radius / 64) {}
 
 std::vector<float> ContactDepth::along(const DiskPath& path, double tolerance, const Device& device) const {
-  std::vector<float> depth(sides_.size(), std::numeric_limits<float>::infinity());
+  std::vector<float> depth(sides_.segments.size(), std::numeric_limits<float>::infinity());
   const std::vector<Segment2> middles = centres(path);
   parallel_for_cpu(device, static_cast<std::int64_t>(middles.size()),
-                   LowerDepths{grid_, sides_, middles, path.radius, path.radius + tolerance, depth}, 16);
-  return depth;
+                   LowerDepths{grid_, sides_.segments, middles, path.radius, path.radius + tolerance, depth},
+                   16);
+  std::vector<float> by_side;
+  by_side.reserve(sides_.number.size());
+  for (const std::uint32_t i : sides_.number) by_side.push_back(depth[i]);
+  return by_side;
 }
 
 }  // namespace gabarit

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "checks/disk_path.h"
-#include "checks/segment_grid.h"
+#include "checks/distinct_segments.h"
 
 namespace gabarit {
 
@@ -19,7 +19,7 @@ class ContactDepth {
   std::vector<float> along(const DiskPath& path, double tolerance, const Device& device) const;
 
  private:
-  std::vector<Segment2> sides_;
+  DistinctSegments sides_;
   SegmentGrid grid_;
 };
 
