@@ -64,7 +64,7 @@ void draw_picture(Book& book) {
   const Area area{margin_left, book.flow.y() + 1, content_width, picture_bottom(book) - book.flow.y() - 1};
   const Frame frame = book.outcome().setups.empty() ? Frame() : book.outcome().setups.front().frame;
   const std::vector<Rgb> colours = verdict_colours(book.model().mesh, book.outcome());
-  const NamedView view = views_for(area, book.model().box, frame).at(6);
+  const NamedView view = views_for(area, book.model().mesh, frame).at(6);
   const std::vector<std::uint8_t> marked = marks(book.model().mesh, book.outcome().results);
   draw_view(book, {area, view.camera, colours, marked},
             "Over all rules – red: fails; amber: undecided; green: passes; blue-grey: not examined");

@@ -32,7 +32,7 @@ const char* sag_origin(const Book& book, const RuleSet& set) {
 void draw_picture(Book& book) {
   const Area area = book.flow.reserve_right(58, 44);
   const Frame frame = book.outcome().setups.empty() ? Frame() : book.outcome().setups.front().frame;
-  draw_view(book, {area, views_for(area, book.model().box, frame).at(6).camera, {}}, "The part as loaded");
+  draw_view(book, {area, views_for(area, book.model().mesh, frame).at(6).camera, {}}, "The part as loaded");
 }
 
 void add_model(Book& book) {

@@ -13,9 +13,9 @@ static constexpr TextStyle mark_text{Face::regular, 6.5, ink, 3};
 
 static constexpr double triad_strip = 12;  // mm
 
-std::vector<NamedView> views_for(const Area& area, const Box3d& box, const Frame& frame) {
+// Makes room for the triad on the right of pictures that `views` were made for without it.
+static std::vector<NamedView> beside_triad(std::vector<NamedView> views, const Area& area) {
   const double inner = area.width - triad_strip;
-  std::vector<NamedView> views = fixed_views(box, frame, inner / area.height);
   for (NamedView& view : views) {
     Camera& camera = view.camera;
     const double mm = camera.width / inner;  // of the model, a millimetre of the page
@@ -23,6 +23,16 @@ std::vector<NamedView> views_for(const Area& area, const Box3d& box, const Frame
     camera.target += camera.right * (mm * triad_strip / 2);
   }
   return views;
+}
+
+static double inner_aspect(const Area& area) { return (area.width - triad_strip) / area.height; }
+
+std::vector<NamedView> views_for(const Area& area, const Box3d& box, const Frame& frame) {
+  return beside_triad(fixed_views(box, frame, inner_aspect(area)), area);
+}
+
+std::vector<NamedView> views_for(const Area& area, const TriangleMesh& mesh, const Frame& frame) {
+  return beside_triad(fixed_views(mesh, frame, inner_aspect(area)), area);
 }
 
 // Its label left of it, both at the right of the caption's line.

@@ -31,6 +31,8 @@ constexpr double view_aspect = 82 / 48.5;  // of fixed views, wherever they are 
 
 // The fixed views for pictures of a size, with a strip on the right that the triad has for itself.
 std::vector<NamedView> views_for(const Area& area, const Box3d& box, const Frame& frame);
+// Framed by what is there, not by its box: views across the axes come closer.
+std::vector<NamedView> views_for(const Area& area, const TriangleMesh& mesh, const Frame& frame);
 
 // An empty frame (and null) when the model has no box. The caption and the scale bar stand below it.
 HPDF_Image draw_view(Book& book, const ModelView& view, const std::string& caption);

@@ -28,7 +28,7 @@ std::vector<SceneLine> trace_lines(const Region& region) {
 std::vector<NamedView> views_with_traces(const Book& book, const RuleResult& result) {
   constexpr Area picture{0, 0, picture_width, picture_height};
   const Frame& frame = book.setup_of(result).frame;
-  std::vector<NamedView> views = views_for(picture, book.model().box, frame);
+  std::vector<NamedView> views = views_for(picture, book.model().mesh, frame);
   Box3d around = book.model().box;
   for (const Trace& trace : result.region.traces) {
     for (const Vec3d& p : trace.points) {
