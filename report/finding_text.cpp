@@ -25,13 +25,19 @@ std::string value_text(double value, const Requirement& require) {
   return number_text(value * factor, nearest_bound(value, require.limit) * factor);
 }
 
+// With the unit behind numbers, not behind "unknown" and "unlimited".
+static std::string with_unit(double value, const Requirement& require) {
+  const std::string unit = unit_of(require).name;
+  return value_text(value, require) + (std::isfinite(value) && !unit.empty() ? ' ' + unit : "");
+}
+
 std::string worst_sentence(const Worst& w, const Requirement& require) {
   const std::string place =
       is_finite(w.at) ? fmt::format("at ({:.1f}, {:.1f}, {:.1f})", w.at.x, w.at.y, w.at.z) : "place unknown";
-  return fmt::format("{} {} {} ({} to {}), required: {}, {}",
+  return fmt::format("{} {} ({} to {}), required: {}, {}",
                      require.measure != nullptr ? require.measure->name : "value",
-                     value_text(w.value, require), unit_of(require).name, value_text(w.lower, require),
-                     value_text(w.upper, require), require.limit_text, place);
+                     with_unit(w.value, require), value_text(w.lower, require), value_text(w.upper, require),
+                     require.limit_text, place);
 }
 
 std::string examined_text(const RuleResult& result) {

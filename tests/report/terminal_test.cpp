@@ -31,7 +31,7 @@ TEST(terminal_report, never_names_a_verdict_without_what_was_examined) {
   EXPECT_THAT(text, HasSubstr("2 failed, of 3 facets, 600 mm² examined"));
   EXPECT_THAT(text,
               HasSubstr("worst: radius 2.25 mm (2 to 2.5), required: at least 4 mm, at (1.0, 2.0, 3.0)"));
-  EXPECT_THAT(text, HasSubstr("worst: radius unknown mm (3 to unlimited)"));
+  EXPECT_THAT(text, HasSubstr("worst: radius unknown (3 to unlimited)"));
 }
 
 TEST(terminal_report, lists_ten_findings_and_says_how_many_there_are) {
