@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "checks/disjoint_sets.h"
 #include "checks/segment_grid.h"
 #include "gpu/dexel.h"
 
@@ -74,26 +74,7 @@ class Gaps {
   std::vector<std::size_t> first_;
 };
 
-class Spaces {
- public:
-  explicit Spaces(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-void join_neighbours(const Gaps& gaps, Spaces& spaces) {
+void join_neighbours(const Gaps& gaps, DisjointSets& spaces) {
   for (std::int64_t i = 0; i + 1 < gaps.lines(); ++i) {
     for (const Gap& gap : gaps.line(i))
       gaps.touching(i + 1, gap.first, gap.last,
@@ -103,7 +84,7 @@ void join_neighbours(const Gaps& gaps, Spaces& spaces) {
 
 // Gaps of different directions that touch the same square cross there, or one of them ends there. Of the
 // lines that a gap crosses one is enough: neighbours are joined already.
-void join_across(const Gaps& gaps, const Gaps& across, Spaces& spaces) {
+void join_across(const Gaps& gaps, const Gaps& across, DisjointSets& spaces) {
   for (std::int64_t i = 0; i < gaps.lines(); ++i) {
     for (const Gap& gap : gaps.line(i)) {
       for (const std::int64_t line : {gap.first, gap.first + 1, gap.last, gap.last + 1})
@@ -135,7 +116,7 @@ Dexels dexels_along_x(const OutlineFeatures& outline, double radius, const Dexel
   return offset_dexels(device, points, edges, lines, radius);
 }
 
-void add_ends(const Gaps& gaps, Spaces& spaces, bool swapped, DiskPath& path) {
+void add_ends(const Gaps& gaps, DisjointSets& spaces, bool swapped, DiskPath& path) {
   for (std::int64_t i = 0; i < gaps.lines(); ++i) {
     for (const Gap& gap : gaps.line(i)) {
       if (spaces.root(gap.number) != 0) continue;
@@ -162,7 +143,7 @@ DiskPath dexel_path(const OutlineFeatures& outline, double radius, double spacin
   const Gaps along_x(dexels_along_x(outline, radius, rows, false, device), rows, columns, 0);
   const Gaps along_y(dexels_along_x(outline, radius, columns, true, device), columns, rows,
                      along_x.all().size());
-  Spaces spaces(along_x.all().size() + along_y.all().size());
+  DisjointSets spaces(along_x.all().size() + along_y.all().size());
   join_neighbours(along_x, spaces);
   join_neighbours(along_y, spaces);
   join_across(along_x, along_y, spaces);

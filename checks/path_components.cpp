@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "checks/disjoint_sets.h"
 #include "checks/path_joins.h"
 #include "checks/segment_grid.h"
 
@@ -12,26 +13,6 @@ namespace gabarit {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  // The lower number stays, so that the result does not depend on the order.
-  void join(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 Box2 box_of(const PathPiece& piece, double radius) {
   Box2 box;
@@ -46,7 +27,7 @@ Box2 box_of(const PathPiece& piece, double radius) {
   return box;
 }
 
-void join_meeting(const std::vector<PathPiece>& pieces, double radius, double near, UnionFind& groups) {
+void join_meeting(const std::vector<PathPiece>& pieces, double radius, double near, DisjointSets& groups) {
   std::vector<Box2> box;
   box.reserve(pieces.size());
   for (const PathPiece& piece : pieces) box.push_back(box_of(piece, radius));
@@ -159,7 +140,7 @@ std::size_t leads_to(const std::vector<PathPiece>& pieces, std::size_t group, co
 std::vector<bool> number_components(std::vector<PathPiece>& pieces, const OutlineFeatures& outline,
                                     double radius) {
   const double near = 4 * std::sqrt(radius * rounding(outline, radius));
-  UnionFind groups(pieces.size());
+  DisjointSets groups(pieces.size());
   join_meeting(pieces, radius, near, groups);
   std::vector<Group> rim(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -171,7 +152,7 @@ std::vector<bool> number_components(std::vector<PathPiece>& pieces, const Outlin
   }
   const Ray ray(outline, radius);
   const std::size_t outside = pieces.size();
-  UnionFind spaces(pieces.size() + 1);
+  DisjointSets spaces(pieces.size() + 1);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (groups.root(i) != i || rim[i].cut) continue;
     const std::size_t to = leads_to(pieces, i, rim[i], ray, radius, near);

@@ -37,8 +37,11 @@ void CheckOptions::add_to(CLI::App& command) {
   command.add_flag("--quiet", quiet, "Print nothing but warnings and errors");
 }
 
-static constexpr std::array<std::pair<const char*, Format>, 5> format_names{
-    {{"pdf", Format::pdf}, {"stl", Format::stl}, {"json", Format::json}, {"junit", Format::junit}, {"sarif", Format::sarif}}};
+static constexpr std::array<std::pair<const char*, Format>, 5> format_names{{{"pdf", Format::pdf},
+                                                                             {"stl", Format::stl},
+                                                                             {"json", Format::json},
+                                                                             {"junit", Format::junit},
+                                                                             {"sarif", Format::sarif}}};
 
 static Format format_named(const std::string& name) {
   std::vector<std::string> known;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
+#include "checks/disjoint_sets.h"
 #include "model/adjacency.h"
 #include "rules/worst.h"
 
@@ -16,35 +16,24 @@ namespace {
 
 using Entries = std::vector<std::size_t>;  // into a field, ascending
 
-std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
-  while (parent[i] != i) {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-
 // Groups the entries by connection; groups are in the order of their first facet.
 std::vector<Entries> connected(const TriangleMesh& mesh, const Field& field, const Entries& entries) {
   std::vector<FacetId> facets;
   facets.reserve(entries.size());
   for (const std::size_t entry : entries) facets.push_back(field.facets[entry]);
   const Adjacency adjacency(mesh, facets);
-  std::vector<std::size_t> parent(entries.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  DisjointSets patches(entries.size());  // the root of a patch is its lowest facet
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const EdgeNeighbour& neighbour : adjacency.of(facets[i])) {
       const auto there = std::lower_bound(facets.begin(), facets.end(), neighbour.facet);
       if (there == facets.end() || *there != neighbour.facet) continue;
-      const std::size_t a = root(parent, i);
-      const std::size_t b = root(parent, static_cast<std::size_t>(there - facets.begin()));
-      parent[std::max(a, b)] = std::min(a, b);  // the lowest facet is the root
+      patches.join(i, static_cast<std::size_t>(there - facets.begin()));
     }
   }
   std::vector<std::size_t> group(entries.size());
   std::vector<Entries> groups;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::size_t r = root(parent, i);
+    const std::size_t r = patches.root(i);
     if (r == i) {
       group[i] = groups.size();
       groups.emplace_back();
