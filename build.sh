@@ -20,7 +20,7 @@ TEXT
 
 packages=(g++ cmake ninja-build libcgal-dev libopenmesh-dev libyaml-cpp-dev libhpdf-dev libtbb-dev libcli11-dev
   nlohmann-json3-dev libfmt-dev libgmp-dev libmpfr-dev libssl-dev libpng-dev zlib1g-dev fonts-dejavu-core
-  libocct-data-exchange-dev libgtest-dev libgmock-dev libbenchmark-dev poppler-utils
+  libocct-data-exchange-dev libfontconfig-dev libgtest-dev libgmock-dev libbenchmark-dev poppler-utils
   fonts-ipafont-gothic)
 
 # Installs what is missing of the packages given; says so; silent when all is there.
