@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "checks/curvature_fit.h"
 #include "checks/hidden_rounding.h"
+#include "checks/roundings.h"
 #include "checks/slivers.h"
 #include "gpu/parallel_for.h"
 
@@ -23,14 +23,6 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t grain = 512;
 constexpr double degree = std::numbers::pi / 180;
 
-// Shares of a curvature that second order adds and leaves out, beside what the edges' disagreement tells:
-// measured on roundings of one radius, coarse ones read too sharp by up to 1 %, hardly any too round.
-constexpr double model_error = 0.01;
-constexpr double overlooked = 0.001;
-// A fit whose edges disagree by more than this share of the curvature has no single curvature to tell.
-constexpr double most_doubt = 0.2;
-// 1/mm: a surface this flat is a plane.
-constexpr double flat = 1e-4;
 // An edge that turns by more is sharp as far as the mesh tells.
 constexpr double sharp = 25 * degree;
 // An edge beside a rounding may turn by this share more than half of the rounding's strip does: corners where
@@ -40,12 +32,6 @@ constexpr double irregular_rim = 0.5;
 constexpr double gentle = 6 * degree;
 // …whose curvature is taken to be at most so many times the steepest turn over width nearby.
 constexpr double irregularity = 3;
-// Three rings of fits, and those that they look at: edges of neighbours, and two facets beyond them.
-constexpr int fitted_rings = 3;
-constexpr int rings = 6;
-
-double radius(double curvature) { return curvature > 1e-9 ? 1 / curvature : infinity; }
-
 // Convex, or it would be if the other facet were the one that looks the wrong way.
 bool turns(const Fold& fold) {
   return fold.convex || (!fold.oriented && std::fabs(fold.turn) > fold.noise + smallest_turn);
@@ -62,6 +48,7 @@ struct Edges {
   bool explained = true;   // by the roundings beside them, or gentle
   bool convex = false;     // some are
   bool irregular = false;  // some are explained only as gentle
+  bool beyond = false;     // some are explained only by roundings beyond the facets beside them
 };
 
 class Turning {
@@ -73,14 +60,12 @@ class Turning {
  private:
   Reading read_facet(FacetId f) const;
   Reading read_sliver(FacetId f) const;
-  const CurvatureFit& fit(FacetId f) const { return fits_[place_[f]]; }
-  void doubt_coarse(FacetId f, CurvatureFit& fit) const;
-  double curvature_beside(FacetId f, const Fold* except = nullptr) const;
-  double curvature_around(FacetId f) const;
-  double least_beside(FacetId f) const;
+  const CurvatureFit& fit(FacetId f) const { return roundings_.fit(f); }
   bool on_plane(FacetId f) const;
   bool open(FacetId f) const;
+  bool shown_by(FacetId f, const Fold& fold, double curvature, double width) const;
   bool explained(FacetId f, const Fold& fold, double curvature) const;
+  bool explained_beyond(FacetId f, const Fold& fold) const;
   bool is_gentle(FacetId f, const Fold& fold) const;
   Selected selected(FacetId f, const Fold& fold) const;
   Edges look_at_edges(FacetId f, Reading& reading) const;
@@ -90,88 +75,17 @@ class Turning {
   const TriangleMesh* mesh_;
   const Region* region_;
   double sag_;
-  Folds folds_;
-  std::vector<std::uint32_t> place_;  // by facet, in fits_
-  std::vector<CurvatureFit> fits_;
+  Roundings roundings_;
+  const Folds& folds_;
 };
-
-bool trusted(const CurvatureFit& fit) {
-  return fit.doubt <= most_doubt * std::max(fit.curvature, 0.0) + flat;
-}
-bool sure_of_rounding(const CurvatureFit& fit) { return fit.resolved && trusted(fit); }
-
-// Whether the fold parts two surfaces.
-bool parts(const Fold& fold) { return is_rim_here(fold) || fold.turn < -sharp; }
-
-// The curvature that is there for certain, and the most that it can be.
-double least(const CurvatureFit& fit) {
-  return sure_of_rounding(fit) ? fit.curvature * (1 - model_error) - fit.doubt : 0;
-}
-double most(const CurvatureFit& fit) { return std::max(fit.curvature, 0.0) * (1 + overlooked) + fit.doubt; }
 
 Turning::Turning(const Scene& scene, const Setup& setup, const Region& region,
                  const std::vector<FacetId>& selected)
-    : mesh_(&scene.mesh()), region_(&region), sag_(setup.sag), folds_(scene, selected, rings, setup.sag) {
-  const std::vector<FacetId> fitted = folds_.within(selected, fitted_rings);
-  place_.assign(mesh_->facet_count(), 0);
-  fits_.resize(fitted.size());
-  for (std::size_t i = 0; i < fitted.size(); ++i) place_[fitted[i]] = static_cast<std::uint32_t>(i);
-  const auto kernel = [&](std::int64_t i) {
-    const auto at = static_cast<std::size_t>(i);
-    fits_[at] = fit_curvature(*mesh_, folds_, fitted[at]);
-    doubt_coarse(fitted[at], fits_[at]);
-  };
-  parallel_for_cpu(scene.device(), static_cast<std::int64_t>(fitted.size()), kernel, grain);
-}
-
-// A regular polygon fits a circle perfectly; that its sides leave the circle by more than the sag tells them
-// apart.
-void Turning::doubt_coarse(FacetId f, CurvatureFit& fit) const {
-  if (!sure_of_rounding(fit)) return;
-  const double r = radius(fit.curvature) * (1 - most_doubt / 2);
-  for (const Fold& fold : folds_.of(f)) {
-    if (fold.convex && fold.oriented && !is_rim_here(fold) && too_coarse(*mesh_, f, fold, r, sag_))
-      fit.doubt = infinity;
-  }
-}
-
-// The largest curvature that a neighbour is sure of, one across `except` left out.
-double Turning::curvature_beside(FacetId f, const Fold* except) const {
-  double largest = 0;
-  for (const Fold& fold : folds_.of(f)) {
-    if (&fold != except && sure_of_rounding(fit(fold.facet)))
-      largest = std::max(largest, most(fit(fold.facet)));
-  }
-  return largest;
-}
-
-// The same within two edges, not across rims of planes and sharp hollows. A facet across the rim of a
-// rounding that no edges mark reads the mean of what it covers; the facets behind it know better.
-double Turning::curvature_around(FacetId f) const {
-  double largest = 0;
-  for (const Fold& fold : folds_.of(f)) {
-    if (parts(fold)) continue;
-    if (sure_of_rounding(fit(fold.facet))) largest = std::max(largest, most(fit(fold.facet)));
-    for (const Fold& next : folds_.of(fold.facet)) {
-      if (!parts(next) && sure_of_rounding(fit(next.facet)))
-        largest = std::max(largest, most(fit(next.facet)));
-    }
-  }
-  return largest;
-}
-
-// What a neighbour confirms, when none across an edge that both are curved at has doubts: one facet across a
-// rim can be misled, and so can the flat between two roundings.
-double Turning::least_beside(FacetId f) const {
-  double largest = 0;
-  for (const Fold& fold : folds_.of(f)) {
-    const CurvatureFit& there = fit(fold.facet);
-    const bool curved = fold.turn > gentle && fold.turns_here && fold.turns_there;
-    if (curved && !sure_of_rounding(there)) return 0;
-    largest = std::max(largest, least(there));
-  }
-  return largest;
-}
+    : mesh_(&scene.mesh()),
+      region_(&region),
+      sag_(setup.sag),
+      roundings_(scene, selected, setup.sag),
+      folds_(roundings_.folds()) {}
 
 // In one plane with what lies beyond its edges, but for rims of roundings and hollows: then it is flat
 // itself, however sharp those are.
@@ -194,13 +108,32 @@ bool Turning::open(FacetId f) const {
   return false;
 }
 
+// Whether a rounding of that curvature explains a fold between strips of it that are `width` apart, and with
+// facets that are within the sag: along a rounding facets can be long, and their ends sharp.
+bool Turning::shown_by(FacetId f, const Fold& fold, double curvature, double width) const {
+  const double most_curvature = (1 + irregular_rim) * curvature;
+  return curvature > 0 && fold.turn - fold.noise <= most_curvature * width &&
+         largest_rounding(*mesh_, folds_, f, fold, sag_) >= radius(most_curvature);
+}
+
 // Whether the fold turns by no more than a surface of that curvature does between the two facets, by half of
 // their heights: irregular facets turn a little more.
 bool Turning::explained(FacetId f, const Fold& fold, double curvature) const {
   const double here = facet_edge(*mesh_, f, fold.edge).height;
   const double there = facet_edge(*mesh_, fold.facet, fold.other).height;
   const double width = is_rim_here(fold) ? 0.5 * there : 0.5 * (here + there);
-  return curvature > 0 && fold.turn - fold.noise <= (1 + irregular_rim) * curvature * width;
+  return shown_by(f, fold, curvature, width);
+}
+
+// The last strip of a rounding before a narrow flat has doubts, for the flat could share in the turn between
+// them. What is sure of the rounding beyond the strip explains its edges, that to the flat as a rim.
+bool Turning::explained_beyond(FacetId f, const Fold& fold) const {
+  if (!fold.oriented || !fold.turns_here || !fold.turns_there) return false;
+  const double here = facet_edge(*mesh_, f, fold.edge).height;
+  const double there = facet_edge(*mesh_, fold.facet, fold.other).height;
+  const double across = roundings_.confirmed(fold.facet, fold.other) ? most(fit(fold.facet)) : 0;
+  return shown_by(f, fold, across, 0.5 * (here + there)) ||
+         shown_by(f, fold, roundings_.curvature_beyond(f, fold.edge), 0.5 * here);
 }
 
 bool Turning::is_gentle(FacetId f, const Fold& fold) const {
@@ -231,8 +164,12 @@ Edges Turning::look_at_edges(FacetId f, Reading& reading) const {
     edges.convex = true;
     if (fold.oriented && sure && !is_rim_here(fold)) continue;
     // The facet across the edge has its curvature from that very edge, unless this is the rim of a plane.
-    const double beside = curvature_beside(f, is_rim_here(fold) ? nullptr : &fold);
+    const double beside = roundings_.curvature_beside(f, is_rim_here(fold) ? nullptr : &fold);
     if (fold.oriented && explained(f, fold, beside)) continue;
+    if (explained_beyond(f, fold)) {
+      edges.beyond = true;
+      continue;
+    }
     if (fold.oriented && is_gentle(f, fold)) {
       edges.irregular = true;
       continue;
@@ -246,7 +183,7 @@ Edges Turning::look_at_edges(FacetId f, Reading& reading) const {
 // Of a facet whose edges are explained.
 void Turning::read_value(FacetId f, const Edges& edges, Reading& reading) const {
   const CurvatureFit& own = fit(f);
-  const double around = curvature_around(f);
+  const double around = roundings_.curvature_around(f);
   reading.absence = Absence::none;
   if (on_plane(f)) {
     reading.value = infinity;
@@ -259,7 +196,8 @@ void Turning::read_value(FacetId f, const Edges& edges, Reading& reading) const 
     reading.lower = radius(std::max(most(own) + flat, around));
   } else {
     // Hollow, or flat beside a hollow.
-    const double most_near = std::max(around, edges.convex ? curvature_beside(f) : 0);
+    double most_near = std::max(around, edges.convex ? roundings_.curvature_beside(f) : 0);
+    if (edges.beyond) most_near = std::max(most_near, most(own));
     reading.value = edges.convex ? radius(most_near) : infinity;
     reading.lower = radius(std::max(flat, most_near));
   }
@@ -268,7 +206,7 @@ void Turning::read_value(FacetId f, const Edges& edges, Reading& reading) const 
 Reading Turning::read_facet(FacetId f) const {
   Reading reading;
   reading.at = reading.contact = mesh_->centroid(f);
-  if (!on_plane(f)) reading.upper = radius(std::min(least(fit(f)), least_beside(f)));
+  if (!on_plane(f)) reading.upper = radius(std::min(least(fit(f)), roundings_.least_beside(f)));
   const Edges edges = look_at_edges(f, reading);
   if (edges.explained) read_value(f, edges, reading);
   if (open(f)) {

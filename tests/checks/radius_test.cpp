@@ -206,6 +206,61 @@ TEST(Radius, a_narrow_flat_between_two_roundings_does_not_make_them_one) {
   EXPECT_EQ(rounded, 4 * 3 * 5 * 2);
 }
 
+// A plate with rounded edges of five strips each and a flat between them; all strips as long as the plate.
+struct Plate {
+  TriangleMesh mesh;
+  Field field;
+};
+
+Plate plate(double radius, double flat) {
+  std::vector<shapes::Point2> profile;
+  const double low = radius, high = radius + flat, far = 40 - radius;
+  for (const auto& [x, y, from] :
+       {std::array{radius, low, pi}, {far, low, 1.5 * pi}, {far, high, 0.0}, {radius, high, pi / 2}}) {
+    for (const shapes::Point2& p : shapes::arc({x, y}, radius, from, from + pi / 2, 5)) profile.push_back(p);
+  }
+  const auto triangles = shapes::extrude(profile, 0, 40, 8);
+  return {shapes::mesh(triangles), measured(triangles)};
+}
+
+TEST(Radius, roundings_beside_a_flat_narrower_than_their_strips_are_decided) {
+  const Plate tight = plate(3, 0.55);
+  const Plate round = plate(6, 1.1);
+  int failed = 0;
+  for (FacetId f = 0; f < tight.mesh.facet_count(); ++f) {
+    const Vec3d n = facet_normal(tight.mesh, f);
+    const double z = tight.mesh.centroid(f).z;
+    if (std::fabs(n.z) > 0.5 || z < 10 || z > 30) continue;  // away from the sharp ends
+    EXPECT_GT(round.field.lower[f], 4) << "R6, facet " << f;
+    if (std::max(std::fabs(n.x), std::fabs(n.y)) > 0.999) {
+      EXPECT_EQ(tight.field.upper[f], infinity) << "the flat, facet " << f;
+    } else {
+      EXPECT_LT(tight.field.lower[f], 3.01) << "facet " << f;
+      failed += tight.field.upper[f] < 4;
+    }
+  }
+  EXPECT_GE(failed, 4 * 4 * 2 * 4) << "four strips of five";
+}
+
+TEST(Radius, the_sharp_end_of_a_cylinder_is_not_explained_by_its_roundness) {
+  for (const double radius : {3.0, 6.0, 13.0}) {
+    for (const int layers : {1, 4}) {
+      const auto triangles =
+          shapes::extrude(shapes::arc({0, 0}, radius, 0, 2 * pi * 39 / 40, 39), 0, 50, layers);
+      const TriangleMesh mesh = shapes::mesh(triangles);
+      const Field field = measured(triangles);
+      int ends = 0;
+      for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+        if (std::fabs(facet_normal(mesh, f).z) < 0.5) continue;
+        ++ends;
+        EXPECT_EQ(field.lower[f], 0) << "R" << radius << ", facet " << f;
+        EXPECT_LT(field.upper[f], 0.4) << "R" << radius << ", facet " << f;
+      }
+      EXPECT_EQ(ends, 2 * 38);
+    }
+  }
+}
+
 TEST(Radius, a_free_edge_is_undecided_never_round) {
   const Field field = measured({{Vec3d{0, 0, 0}, Vec3d{50, 0, 0}, Vec3d{0, 50, 0}}});
   EXPECT_EQ(field.absence[0], Absence::open);
