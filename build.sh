@@ -78,7 +78,8 @@ sanitize() {
   configure build-sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
     -DGABARIT_SANITIZE=address,undefined -DGABARIT_CUDA=OFF
   cmake --build build-sanitize
-  ctest --test-dir build-sanitize --output-on-failure --parallel "$(nproc)"
+  LSAN_OPTIONS="suppressions=$PWD/tests/leaks.supp:print_suppressions=0" \
+    ctest --test-dir build-sanitize --output-on-failure --parallel "$(nproc)"
 }
 
 bench() {
