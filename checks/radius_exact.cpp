@@ -6,7 +6,7 @@
 
 #include "checks/facet_turns.h"
 #include "checks/patch_curvature.h"
-#include "gpu/parallel_for.h"
+#include "checks/reading.h"
 #include "model/edge_table.h"
 
 namespace gabarit {
@@ -16,12 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double flat = 1e-9;     // 1/mm: a surface this flat is a plane
 constexpr double rounding = 1e6;  // radii are multiples of 1e-6 mm
 constexpr std::int64_t grain = 128;
-
-struct Reading {
-  double value = infinity, lower = infinity, upper = infinity;
-  Absence absence = Absence::none;
-  Vec3d at, contact;
-};
 
 double radius(double curvature) {
   return curvature > flat ? std::round(rounding / curvature) / rounding : infinity;
@@ -48,6 +42,7 @@ class ExactRadius {
     if (facet_normal(*mesh_, f) == Vec3d{}) return degenerate(f);
     const SharpestPoint point = sharpest_point(arrays_, brep_->facets[f]);
     reading.value = reading.lower = reading.upper = radius(point.curvature);
+    reading.absence = Absence::none;
     reading.at = face_point(arrays_, brep_->faces[brep_->facets[f].face], point.at).p;
     reading.contact = reading.at;
     for (std::uint32_t e = 0; e < 3; ++e) look_at_edge(f, e, reading);
@@ -57,12 +52,10 @@ class ExactRadius {
 
  private:
   Reading degenerate(FacetId f) const {
-    return {std::numeric_limits<double>::quiet_NaN(),
-            0,
-            infinity,
-            Absence::degenerate,
-            mesh_->centroid(f),
-            mesh_->centroid(f)};
+    Reading reading;
+    reading.absence = Absence::degenerate;
+    reading.at = reading.contact = mesh_->centroid(f);
+    return reading;
   }
 
   static void make_sharp(const Vec3d& where, Reading& reading) {
@@ -107,20 +100,9 @@ class ExactRadius {
 Field measure_exact_radius(const Scene& scene, const Region& region) {
   Field field;
   field.facets = selected_facets(region);
-  field.resize(field.facets.size());
   if (field.facets.empty()) return field;
   const ExactRadius exact(scene, region);
-  const auto kernel = [&](std::int64_t i) {
-    const auto at = static_cast<std::size_t>(i);
-    const Reading r = exact.read(field.facets[at]);
-    field.value[at] = r.value;
-    field.lower[at] = r.lower;
-    field.upper[at] = r.upper;
-    field.at[at] = r.at;
-    field.contact[at] = r.contact;
-    field.absence[at] = r.absence;
-  };
-  parallel_for_cpu(scene.device(), static_cast<std::int64_t>(field.size()), kernel, grain);
+  fill(field, scene.device(), grain, [&](FacetId f) { return exact.read(f); });
   field.notes.push_back(
       "Radii are read from the exact surfaces of the model, not from its facets, and rounded to 1e-6 mm; an "
       "edge is "

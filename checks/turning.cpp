@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "checks/hidden_rounding.h"
+#include "checks/reading.h"
 #include "checks/roundings.h"
 #include "checks/slivers.h"
-#include "gpu/parallel_for.h"
 
 namespace gabarit {
 
@@ -36,12 +36,6 @@ constexpr double irregularity = 3;
 bool turns(const Fold& fold) {
   return fold.convex || (!fold.oriented && std::fabs(fold.turn) > fold.noise + smallest_turn);
 }
-
-struct Reading {
-  double value = unknown, lower = 0, upper = infinity;
-  Absence absence = Absence::too_little;
-  Vec3d at, contact;
-};
 
 // What the edges of a facet come to.
 struct Edges {
@@ -253,20 +247,9 @@ std::vector<std::string> Turning::notes(const Model& model) const {
 Field measure_turning(const Scene& scene, const Setup& setup, const Region& region) {
   Field field;
   field.facets = selected_facets(region);
-  field.resize(field.facets.size());
   if (field.facets.empty()) return field;
   const Turning turning(scene, setup, region, field.facets);
-  const auto kernel = [&](std::int64_t i) {
-    const auto at = static_cast<std::size_t>(i);
-    const Reading r = turning.read(field.facets[at]);
-    field.value[at] = r.value;
-    field.lower[at] = r.lower;
-    field.upper[at] = r.upper;
-    field.at[at] = r.at;
-    field.contact[at] = r.contact;
-    field.absence[at] = r.absence;
-  };
-  parallel_for_cpu(scene.device(), static_cast<std::int64_t>(field.size()), kernel, grain);
+  fill(field, scene.device(), grain, [&](FacetId f) { return turning.read(f); });
   field.notes = turning.notes(scene.model());
   return field;
 }
