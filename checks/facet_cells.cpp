@@ -193,12 +193,16 @@ class CellMeasurement {
     return false;
   }
 
-  // Whether the limit lies within the cell's bounds while no other cell has broken it.
+  // Whether the limit lies within the cell's bounds, no other cell has broken it, and smaller cells would
+  // tell: not where the sags alone leave it open at the very point.
   bool decides(const Cell& cell, const CellAnswer& answer) const {
     const double limit = options_.limit;
+    const double apart = std::fabs(answer.value - limit);
     if (!(limit > 0)) return false;
-    return smallest() ? answer.lower < limit && limit <= field_.upper[cell.row]
-                      : answer.greatest > limit && limit >= field_.lower[cell.row];
+    return smallest() ? answer.lower < limit && limit <= field_.upper[cell.row] &&
+                            apart > answer.upper - answer.value
+                      : answer.greatest > limit && limit >= field_.lower[cell.row] &&
+                            apart > answer.value - answer.lower;
   }
 
   void keep_bounds(std::uint32_t row, const CellAnswer& answer) {

@@ -9,6 +9,8 @@ namespace {
 
 // Bends under this are rounding of float coordinates, radians.
 constexpr double flat = 1e-5;
+// Quads that grow narrow, as towards the pole of a ball, lie up to 2 % further off than their rows would.
+constexpr double allowance = 1.05;
 
 // Height of a facet over one of its edges.
 double width(const TriangleMesh& mesh, FacetId f, int edge) {
@@ -17,7 +19,26 @@ double width(const TriangleMesh& mesh, FacetId f, int edge) {
   return base > 0 ? 2 * facet_area(mesh, f) / base : 0;
 }
 
+// Of a chord that is `own` wide, when the next chord of the same circle is `other` wide and bends by `angle`.
+double sagitta(double own, double other, double angle) {
+  const double half = std::atan2(own * std::sin(angle), other + own * std::cos(angle));  // of its arc
+  return own / 2 * std::tan(half / 2);
+}
+
 double bend(const Vec3d& m, const Vec3d& n) { return std::atan2(length(cross(m, n)), dot(m, n)); }
+
+// A quad that is cut into two facets in one plane lies off the surface as a whole.
+std::vector<float> greatest_of_quads(const TriangleMesh& mesh, const Adjacency& adjacency,
+                                     const std::vector<float>& sag) {
+  std::vector<float> out = sag;
+  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
+    if (!(sag[f] > 0)) continue;
+    for (const EdgeNeighbour& edge : adjacency.of(f))
+      if (bend(facet_normal(mesh, f), facet_normal(mesh, edge.facet)) < flat)
+        out[f] = std::max(out[f], sag[edge.facet]);
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -34,11 +55,11 @@ std::vector<float> local_sag(const TriangleMesh& mesh, const Adjacency& adjacenc
       const double other = width(mesh, edge.facet, edge.other);
       const double own = std::min(width(mesh, f, edge.edge), 2 * other);
       double& most = across[edge.edge];
-      if (own > 0) most = std::max(most, angle * own * own / (4 * (own + other)));
+      most = std::max(most, sagitta(own, other, angle));
     }
-    sag[f] = static_cast<float>(std::min(declared, across[0] + across[1] + across[2]));
+    sag[f] = static_cast<float>(std::min(declared, allowance * (across[0] + across[1] + across[2])));
   }
-  return sag;
+  return greatest_of_quads(mesh, adjacency, sag);
 }
 
 }  // namespace gabarit

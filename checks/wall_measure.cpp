@@ -60,7 +60,8 @@ std::size_t count(const Field& field, Absence absence) {
 void add_absences(Field& field) {
   if (const std::size_t open = count(field, Absence::open); open > 0)
     field.notes.push_back(fmt::format(
-        "Nothing bounds the measure at {}: the mesh is open or its facets face the wrong way there.",
+        "Nothing bounds the measure at {}: the mesh is open, its facets face the wrong way or no wall lies "
+        "opposite there.",
         count_text(open)));
   if (const std::size_t buried = count(field, Absence::buried); buried > 0)
     field.notes.push_back(fmt::format(
