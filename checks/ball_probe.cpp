@@ -15,12 +15,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double floor_share = 1e-6;
 constexpr float greatest_tilt = 0.49F;  // radians, of a query
 
-// Of one contact, when the point moves in its plane as far as the cell reaches.
+// Of one contact, when the point moves in its plane as far as the cell reaches and the direction tilts: a
+// bound while the contact still counts there, as one on a facet does.
 double greatest_around(const CellQuery& query, const SphereContact& found, double reach) {
   const Vec3d q = found.contact - query.point;
-  const double h = dot(query.direction, q), qq = squared_length(q);
-  const double aside = std::sqrt(std::max(0.0, qq - h * h)) + reach;
-  return found.upper * (h * h + aside * aside) / qq;
+  const double h = dot(query.direction, q), qq = squared_length(q), tilt = query.tilt;
+  const double aside = std::sqrt(std::max(0.0, qq - h * h)), farther = aside + reach;
+  const auto turned = [&](double off) { return 1 - 0.5 * tilt * tilt - off / h * tilt; };
+  if (!(turned(farther) > 0)) return infinity;
+  return found.upper * (h * h + farther * farther) / qq * turned(aside) / turned(farther);
 }
 
 class BallProbe {
