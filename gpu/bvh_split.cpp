@@ -7,7 +7,9 @@
 namespace gabarit {
 namespace {
 
-constexpr std::uint32_t leaf_size = 6;
+// What one node can hold in leaves that are not quite full; parts of this size are not split between nodes.
+constexpr std::uint32_t bottom_size = 48;
+constexpr std::uint32_t usual_leaf_size = 6;
 constexpr int bin_count = 16;
 // From this depth on ranges are halved by count: no input makes the tree deeper than the queries' stacks.
 constexpr int greatest_sah_depth = 14;
@@ -56,7 +58,10 @@ struct Cut {
   Box3f left, right;
 };
 
-Cut cheapest_cut(const std::array<Bin, bin_count>& bins) {
+std::uint32_t leaves_for(std::uint32_t count) { return (count + leaf_width - 1) / leaf_width; }
+
+// Of those that leave both sides room in `leaves` leaves together.
+Cut cheapest_cut(const std::array<Bin, bin_count>& bins, std::uint32_t leaves) {
   std::array<Bin, bin_count> right;
   Bin sum;
   for (std::size_t i = bin_count; i-- > 0;) sum.add(bins[i]), right[i] = sum;
@@ -66,6 +71,7 @@ Cut cheapest_cut(const std::array<Bin, bin_count>& bins) {
     sum.add(bins[i]);
     const Bin& other = right[i + 1];
     if (sum.count == 0 || other.count == 0) continue;
+    if (leaves_for(sum.count) + leaves_for(other.count) > leaves) continue;
     const float cost = half_area(sum.box) * static_cast<float>(sum.count) +
                        half_area(other.box) * static_cast<float>(other.count);
     if (cost < best.cost) best = {cost, static_cast<int>(i), sum.box, other.box};
@@ -79,13 +85,19 @@ class Splitter {
 
   Range whole() const { return bounded(0, static_cast<std::uint32_t>(boxes_->size())); }
 
-  // Up to eight parts of a range, in order.
+  std::span<const BoxedPrimitive> boxes(const Range& range) const {
+    return std::span(*boxes_).subspan(range.begin, range.count());
+  }
+
+  // Up to eight parts of a range, in order: all of them leaves when they can be.
   std::vector<Range> parts(const Range& range, int depth) {
+    if (range.count() <= bottom_size) return leaves(range);
     std::vector<Range> parts{range};
     while (parts.size() < tree_width) {
       auto widest = parts.end();
       for (auto it = parts.begin(); it != parts.end(); ++it) {
-        if (it->count() > leaf_size && (widest == parts.end() || weight(*it, depth) > weight(*widest, depth)))
+        if (it->count() > bottom_size &&
+            (widest == parts.end() || weight(*it, depth) > weight(*widest, depth)))
           widest = it;
       }
       if (widest == parts.end()) break;
@@ -97,6 +109,25 @@ class Splitter {
   }
 
  private:
+  static constexpr std::uint32_t any_number = 0xffffffffU;
+
+  std::vector<Range> leaves(const Range& range) {
+    std::vector<Range> parts;
+    const std::uint32_t usual = (range.count() + usual_leaf_size - 1) / usual_leaf_size;
+    add_leaves(range, std::min<std::uint32_t>(usual, tree_width), parts);
+    return parts;
+  }
+
+  void add_leaves(const Range& range, std::uint32_t count, std::vector<Range>& parts) {
+    if (count == 1) return parts.push_back(range);
+    const auto [left, right] = split(range, count);
+    const std::uint32_t share = (count * left.count() + range.count() / 2) / range.count();
+    const std::uint32_t first =
+        std::clamp(share, leaves_for(left.count()), count - leaves_for(right.count()));
+    add_leaves(left, first, parts);
+    add_leaves(right, count - first, parts);
+  }
+
   static float weight(const Range& r, int depth) {
     return depth < greatest_sah_depth ? half_area(r.box) * static_cast<float>(r.count())
                                       : static_cast<float>(r.count());
@@ -108,12 +139,13 @@ class Splitter {
     return range;
   }
 
-  std::pair<Range, Range> split(const Range& range) {
+  // `leaves`: how many both sides may take up together.
+  std::pair<Range, Range> split(const Range& range, std::uint32_t leaves = any_number) {
     Box3f centres;
     for (std::uint32_t i = range.begin; i < range.end; ++i)
       centres.add((*boxes_)[i].box.min + (*boxes_)[i].box.max);
     const int axis = longest_axis(centres);
-    if (!(centres.max[axis] > centres.min[axis])) return halve(range);
+    if (!(centres.max[axis] > centres.min[axis])) return halve(range, leaves);
     const Binning binning(axis, centres);
     std::array<Bin, bin_count> bins;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -121,19 +153,21 @@ class Splitter {
       bin.box.add((*boxes_)[i].box);
       ++bin.count;
     }
-    const Cut cut = cheapest_cut(bins);
+    const Cut cut = cheapest_cut(bins, leaves);
+    if (cut.cost == std::numeric_limits<float>::infinity()) return halve(range, leaves);
     const auto begin = boxes_->begin();
     const auto mid = std::partition(begin + range.begin, begin + range.end, [&](const BoxedPrimitive& b) {
       return binning.bin(b.box) <= cut.last_left_bin;
     });
     const auto middle = static_cast<std::uint32_t>(mid - begin);
-    if (middle == range.begin || middle == range.end) return halve(range);
     return {Range{range.begin, middle, cut.left}, Range{middle, range.end, cut.right}};
   }
 
-  std::pair<Range, Range> halve(const Range& range) {
+  std::pair<Range, Range> halve(const Range& range, std::uint32_t leaves = any_number) {
     const int axis = longest_axis(range.box);
-    const std::uint32_t middle = range.begin + range.count() / 2;
+    const std::uint32_t share =
+        leaves == any_number ? range.count() / 2 : range.count() * (leaves / 2) / leaves;
+    const std::uint32_t middle = range.begin + share;
     const auto begin = boxes_->begin();
     std::nth_element(begin + range.begin, begin + middle, begin + range.end,
                      [axis](const BoxedPrimitive& a, const BoxedPrimitive& b) {
@@ -177,10 +211,12 @@ void add_node(Splitter& splitter, const Range& range, int depth, SplitTree& tree
   for (const Range& part : splitter.parts(range, depth)) {
     for (int k = 0; k < 3; ++k) node.lo[k][slot] = part.box.min[k], node.hi[k][slot] = part.box.max[k];
     ranges[static_cast<std::size_t>(slot)] = {part.begin, part.end};
-    if (part.count() <= leaf_size)
-      node.child[slot] = leaf_flag | (part.count() - 1) << 28 | part.begin;
-    else
+    if (part.count() <= leaf_width) {
+      node.child[slot] = leaf_flag | static_cast<std::uint32_t>(tree.leaves.size());
+      tree.leaves.push_back(packed(splitter.boxes(part), part.begin));
+    } else {
       pending.push_back({part, number, slot, depth + 1});
+    }
     ++slot;
   }
   tree.nodes.push_back(node);
@@ -219,13 +255,15 @@ std::vector<Pending> top_of_tree(Splitter& splitter, SplitTree& tree, std::uint3
 }
 
 void append(SplitTree& tree, const Pending& place, SplitTree part) {
-  const auto offset = static_cast<std::uint32_t>(tree.nodes.size());
-  tree.nodes[place.node].child[place.slot] = offset;
+  const auto nodes = static_cast<std::uint32_t>(tree.nodes.size());
+  const auto leaves = static_cast<std::uint32_t>(tree.leaves.size());
+  tree.nodes[place.node].child[place.slot] = nodes;
   for (BvhNode& node : part.nodes) {
     for (std::uint32_t& child : node.child) {
-      if ((child & leaf_flag) == 0) child += offset;
+      if (child != no_child) child += (child & leaf_flag) == 0 ? nodes : leaves;
     }
   }
+  tree.leaves.insert(tree.leaves.end(), part.leaves.begin(), part.leaves.end());
   tree.nodes.insert(tree.nodes.end(), part.nodes.begin(), part.nodes.end());
   tree.ranges.insert(tree.ranges.end(), part.ranges.begin(), part.ranges.end());
 }

@@ -18,21 +18,31 @@ class FirstHit {
     slop_ = 1e-6F * (tree.reach + max(max(Vec3f{a.x, 0, 0}, Vec3f{a.y, 0, 0}), Vec3f{a.z, 0, 0}).x);
   }
 
-  GABARIT_HD float limit() const { return static_cast<float>(hit_.distance) * (1 + 1e-6F); }
+  // Finite from the start: a bound of infinity is never worth a look.
+  GABARIT_HD float limit() const { return limit_; }
 
-  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) const {
-    for (int i = 0; i < tree_width; ++i) {
-      float near = 0, far = std::numeric_limits<float>::infinity();
-      for (int k = 0; k < 3; ++k) {
-        const float u = (node.lo[k][i] - slop_ - origin_[k]) * inverse_[k];
-        const float v = (node.hi[k][i] + slop_ - origin_[k]) * inverse_[k];
-        const float first = u < v ? u : v, last = u < v ? v : u;
-        near = first > near ? first : near;
-        far = last < far ? last : far;
-      }
-      lower[i] = near * (1 - 4e-6F) <= far * (1 + 4e-6F) ? near * (1 - 4e-6F)
-                                                         : std::numeric_limits<float>::infinity();
+  template <class Boxes>
+  GABARIT_HD unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
+    const float* enter[3];
+    const float* leave[3];
+    Vec3f from, to;
+    for (int k = 0; k < 3; ++k) {
+      const bool up = inverse_[k] > 0;
+      enter[k] = up ? node.lo[k] : node.hi[k], leave[k] = up ? node.hi[k] : node.lo[k];
+      from[k] = origin_[k] + (up ? slop_ : -slop_), to[k] = origin_[k] - (up ? slop_ : -slop_);
     }
+    unsigned mask = 0;
+    for (int i = 0; i < tree_width; ++i) {
+      float near = 0, far = limit_;
+      for (int k = 0; k < 3; ++k) {
+        const float u = (enter[k][i] - from[k]) * inverse_[k], v = (leave[k][i] - to[k]) * inverse_[k];
+        near = u > near ? u : near;
+        far = v < far ? v : far;
+      }
+      lower[i] = near * (1 - 4e-6F);
+      mask |= lower[i] <= far * (1 + 4e-6F) ? 1U << i : 0U;
+    }
+    return mask;
   }
 
   // Möller & Trumbore, Fast, Minimum Storage Ray-Triangle Intersection, 1997.
@@ -56,6 +66,7 @@ class FirstHit {
                 static_cast<double>(p.normal.y) * ray_.direction.y +
                 static_cast<double>(p.normal.z) * ray_.direction.z,
             p.sag};
+    limit_ = static_cast<float>(distance) * (1 + 1e-6F);
   }
 
   GABARIT_HD const RayHit& result() const { return hit_; }
@@ -66,6 +77,7 @@ class FirstHit {
   RayHit hit_;
   Vec3f origin_, inverse_;
   float slop_ = 0;
+  float limit_ = std::numeric_limits<float>::max();
 };
 
 struct RayBatch {
