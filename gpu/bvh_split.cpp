@@ -38,34 +38,33 @@ struct Bin {
   void add(const Bin& b) { box.add(b.box), count += b.count; }
 };
 
-// Twice the centre of a box, and the bin it falls into.
+// Twice the centre of a box, and the bins it falls into.
 struct Binning {
-  int axis;
-  float from, scale;
+  Vec3f from, scale;
 
-  Binning(int along, const Box3f& centres)
-      : axis(along),
-        from(centres.min[along]),
-        scale(static_cast<float>(bin_count) * 0.9999F / (centres.max[along] - centres.min[along])) {}
-  int bin(const Box3f& box) const {
-    return std::clamp(static_cast<int>((box.min[axis] + box.max[axis] - from) * scale), 0, bin_count - 1);
+  explicit Binning(const Box3f& centres) : from(centres.min) {
+    const Vec3f e = centres.extent();
+    for (int k = 0; k < 3; ++k) scale[k] = e[k] > 0 ? static_cast<float>(bin_count) * 0.9999F / e[k] : 0.0F;
+  }
+  int bin(const Box3f& box, int axis) const {
+    return std::clamp(static_cast<int>((box.min[axis] + box.max[axis] - from[axis]) * scale[axis]), 0,
+                      bin_count - 1);
   }
 };
 
 struct Cut {
   float cost = std::numeric_limits<float>::infinity();
-  int last_left_bin = 0;
+  int axis = 0, last_left_bin = 0;
   Box3f left, right;
 };
 
 std::uint32_t leaves_for(std::uint32_t count) { return (count + leaf_width - 1) / leaf_width; }
 
-// Of those that leave both sides room in `leaves` leaves together.
-Cut cheapest_cut(const std::array<Bin, bin_count>& bins, std::uint32_t leaves) {
+// Of the cuts across an axis that leave both sides room in `leaves` leaves together.
+void keep_cheapest(const std::array<Bin, bin_count>& bins, int axis, std::uint32_t leaves, Cut& best) {
   std::array<Bin, bin_count> right;
   Bin sum;
   for (std::size_t i = bin_count; i-- > 0;) sum.add(bins[i]), right[i] = sum;
-  Cut best;
   sum = {};
   for (std::size_t i = 0; i + 1 < bin_count; ++i) {
     sum.add(bins[i]);
@@ -74,9 +73,8 @@ Cut cheapest_cut(const std::array<Bin, bin_count>& bins, std::uint32_t leaves) {
     if (leaves_for(sum.count) + leaves_for(other.count) > leaves) continue;
     const float cost = half_area(sum.box) * static_cast<float>(sum.count) +
                        half_area(other.box) * static_cast<float>(other.count);
-    if (cost < best.cost) best = {cost, static_cast<int>(i), sum.box, other.box};
+    if (cost < best.cost) best = {cost, axis, static_cast<int>(i), sum.box, other.box};
   }
-  return best;
 }
 
 class Splitter {
@@ -144,20 +142,22 @@ class Splitter {
     Box3f centres;
     for (std::uint32_t i = range.begin; i < range.end; ++i)
       centres.add((*boxes_)[i].box.min + (*boxes_)[i].box.max);
-    const int axis = longest_axis(centres);
-    if (!(centres.max[axis] > centres.min[axis])) return halve(range, leaves);
-    const Binning binning(axis, centres);
-    std::array<Bin, bin_count> bins;
+    const Binning binning(centres);
+    std::array<std::array<Bin, bin_count>, 3> bins;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
-      Bin& bin = bins[static_cast<std::size_t>(binning.bin((*boxes_)[i].box))];
-      bin.box.add((*boxes_)[i].box);
-      ++bin.count;
+      const Box3f& box = (*boxes_)[i].box;
+      for (int k = 0; k < 3; ++k) {
+        Bin& bin = bins[static_cast<std::size_t>(k)][static_cast<std::size_t>(binning.bin(box, k))];
+        bin.box.add(box);
+        ++bin.count;
+      }
     }
-    const Cut cut = cheapest_cut(bins, leaves);
+    Cut cut;
+    for (int k = 0; k < 3; ++k) keep_cheapest(bins[static_cast<std::size_t>(k)], k, leaves, cut);
     if (cut.cost == std::numeric_limits<float>::infinity()) return halve(range, leaves);
     const auto begin = boxes_->begin();
     const auto mid = std::partition(begin + range.begin, begin + range.end, [&](const BoxedPrimitive& b) {
-      return binning.bin(b.box) <= cut.last_left_bin;
+      return binning.bin(b.box, cut.axis) <= cut.last_left_bin;
     });
     const auto middle = static_cast<std::uint32_t>(mid - begin);
     return {Range{range.begin, middle, cut.left}, Range{middle, range.end, cut.right}};

@@ -37,6 +37,10 @@ class SphereCulling {
     direction_ = to_float(direction);
     cosine_ = static_cast<float>(options.cos_separation);
     sine_ = std::sqrt(1 - cosine_ * cosine_);
+    for (int k = 0; k < 3; ++k) {
+      const float across = 1 - direction_[k] * direction_[k];
+      across_[k] = std::sqrt((across > 0 ? across : 0.0F) + 4e-7F);
+    }
     slop_ = 1e-6F * (3 * tree.reach + largest(origin_)) + loose_.inflation;
   }
 
@@ -87,25 +91,27 @@ class SphereCulling {
  private:
   // What stays the same for all boxes, in variables of its own: they are registers.
   struct Ball {
-    Vec3f o, c;
-    float t, tt, near, nearer;
+    Vec3f o, c, near, nearer;  // a disk across the direction reaches less far along some axes than others
+    float t, tt;
     GABARIT_HD explicit Ball(const SphereCulling& s)
         : o(s.origin_),
           c(s.centre_),
+          near(Vec3f{s.slop_, s.slop_, s.slop_} + s.loose_.spacing * s.across_),
           t(s.probe_),
-          tt(s.probe_ * s.probe_),
-          near(s.slop_ + s.loose_.spacing),
-          nearer(near + s.probe_ * s.loose_.tilt) {}
+          tt(s.probe_ * s.probe_) {
+      const float turn = s.probe_ * s.loose_.tilt, sag = 0.5F * turn * s.loose_.tilt;
+      nearer = near + Vec3f{sag, sag, sag} + turn * s.across_;
+    }
 
     // Every q in the box has |q|² >= a and |q - t d|² >= b.
     template <class Boxes>
     GABARIT_HD float bound(const Boxes& boxes, int i) const {
-      const float a = square(boxes.lo[0][i] - o.x, o.x - boxes.hi[0][i], near) +
-                      square(boxes.lo[1][i] - o.y, o.y - boxes.hi[1][i], near) +
-                      square(boxes.lo[2][i] - o.z, o.z - boxes.hi[2][i], near);
-      const float b = square(boxes.lo[0][i] - c.x, c.x - boxes.hi[0][i], nearer) +
-                      square(boxes.lo[1][i] - c.y, c.y - boxes.hi[1][i], nearer) +
-                      square(boxes.lo[2][i] - c.z, c.z - boxes.hi[2][i], nearer);
+      const float a = square(boxes.lo[0][i] - o.x, o.x - boxes.hi[0][i], near.x) +
+                      square(boxes.lo[1][i] - o.y, o.y - boxes.hi[1][i], near.y) +
+                      square(boxes.lo[2][i] - o.z, o.z - boxes.hi[2][i], near.z);
+      const float b = square(boxes.lo[0][i] - c.x, c.x - boxes.hi[0][i], nearer.x) +
+                      square(boxes.lo[1][i] - c.y, c.y - boxes.hi[1][i], nearer.y) +
+                      square(boxes.lo[2][i] - c.z, c.z - boxes.hi[2][i], nearer.z);
       const float by_box = t * a / (a + (tt - b) + 2e-6F * tt) * (1 - 2e-6F);
       return b < tt ? (by_box > 0 ? by_box : 0.0F) : std::numeric_limits<float>::infinity();
     }
@@ -127,6 +133,7 @@ class SphereCulling {
   Vec3d base_, exact_direction_;
   Looseness loose_;
   Vec3f origin_, direction_, centre_;
+  Vec3f across_;  // how far a disk of radius 1 across the direction reaches along each axis
   float probe_ = 0, slop_ = 0, cosine_ = 0, sine_ = 0;
 };
 
