@@ -49,14 +49,15 @@ class Features {
   // Every direction in which the surface leaves the vertices at the ends of ridges.
   void add_vertices() {
     std::map<VertexId, std::vector<Vec3d>> fans;
-    for (const VertexId v : ends_) fans[v];
+    std::vector<bool> is_end(mesh_.vertices.size());
+    for (const VertexId v : ends_) fans[v], is_end[v] = true;
     for (FacetId f = 0; f < mesh_.facet_count(); ++f) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto fan = fans.find(mesh_.facets[f][i]);
-        if (fan == fans.end()) continue;
+        if (!is_end[mesh_.facets[f][i]]) continue;
+        std::vector<Vec3d>& fan = fans.at(mesh_.facets[f][i]);
         for (const std::size_t k : {(i + 1) % 3, (i + 2) % 3}) {
           const Vec3d w = normalized(mesh_.vertices[mesh_.facets[f][k]] - mesh_.vertices[mesh_.facets[f][i]]);
-          if (is_finite(w) && w != Vec3d{}) fan->second.push_back(w);
+          if (is_finite(w) && w != Vec3d{}) fan.push_back(w);
         }
       }
     }
