@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
-#include "gpu/bvh_build.h"
+#include "gpu/bvh_cut.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -10,7 +11,6 @@ namespace {
 // What one node can hold in leaves that are not quite full; parts of this size are not split between nodes.
 constexpr std::uint32_t bottom_size = 48;
 constexpr std::uint32_t usual_leaf_size = 6;
-constexpr int bin_count = 16;
 // From this depth on ranges are halved by count: no input makes the tree deeper than the queries' stacks.
 constexpr int greatest_sah_depth = 14;
 
@@ -21,65 +21,17 @@ struct Range {
   std::uint32_t count() const { return end - begin; }
 };
 
-float half_area(const Box3f& box) {
-  const Vec3f e = box.extent();
-  return e.x * e.y + e.y * e.z + e.z * e.x;
-}
-
 int longest_axis(const Box3f& box) {
   const Vec3f e = box.extent();
   return e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
 }
 
-struct Bin {
-  Box3f box;
-  std::uint32_t count = 0;
-
-  void add(const Bin& b) { box.add(b.box), count += b.count; }
-};
-
-// Twice the centre of a box, and the bins it falls into.
-struct Binning {
-  Vec3f from, scale;
-
-  explicit Binning(const Box3f& centres) : from(centres.min) {
-    const Vec3f e = centres.extent();
-    for (int k = 0; k < 3; ++k) scale[k] = e[k] > 0 ? static_cast<float>(bin_count) * 0.9999F / e[k] : 0.0F;
-  }
-  int bin(const Box3f& box, int axis) const {
-    return std::clamp(static_cast<int>((box.min[axis] + box.max[axis] - from[axis]) * scale[axis]), 0,
-                      bin_count - 1);
-  }
-};
-
-struct Cut {
-  float cost = std::numeric_limits<float>::infinity();
-  int axis = 0, last_left_bin = 0;
-  Box3f left, right;
-};
-
-std::uint32_t leaves_for(std::uint32_t count) { return (count + leaf_width - 1) / leaf_width; }
-
-// Of the cuts across an axis that leave both sides room in `leaves` leaves together.
-void keep_cheapest(const std::array<Bin, bin_count>& bins, int axis, std::uint32_t leaves, Cut& best) {
-  std::array<Bin, bin_count> right;
-  Bin sum;
-  for (std::size_t i = bin_count; i-- > 0;) sum.add(bins[i]), right[i] = sum;
-  sum = {};
-  for (std::size_t i = 0; i + 1 < bin_count; ++i) {
-    sum.add(bins[i]);
-    const Bin& other = right[i + 1];
-    if (sum.count == 0 || other.count == 0) continue;
-    if (leaves_for(sum.count) + leaves_for(other.count) > leaves) continue;
-    const float cost = half_area(sum.box) * static_cast<float>(sum.count) +
-                       half_area(other.box) * static_cast<float>(other.count);
-    if (cost < best.cost) best = {cost, axis, static_cast<int>(i), sum.box, other.box};
-  }
-}
+// Work on ranges larger than this is shared between threads, in chunks of this many.
+constexpr std::uint32_t chunk = 1 << 15;
 
 class Splitter {
  public:
-  explicit Splitter(std::vector<BoxedPrimitive>& boxes) : boxes_(&boxes) {}
+  Splitter(const Device& device, std::vector<BoxedPrimitive>& boxes) : device_(device), boxes_(&boxes) {}
 
   Range whole() const { return bounded(0, static_cast<std::uint32_t>(boxes_->size())); }
 
@@ -107,8 +59,6 @@ class Splitter {
   }
 
  private:
-  static constexpr std::uint32_t any_number = 0xffffffffU;
-
   std::vector<Range> leaves(const Range& range) {
     std::vector<Range> parts;
     const std::uint32_t usual = (range.count() + usual_leaf_size - 1) / usual_leaf_size;
@@ -138,35 +88,65 @@ class Splitter {
   }
 
   // `leaves`: how many both sides may take up together.
-  std::pair<Range, Range> split(const Range& range, std::uint32_t leaves = any_number) {
-    Box3f centres;
-    for (std::uint32_t i = range.begin; i < range.end; ++i)
-      centres.add((*boxes_)[i].box.min + (*boxes_)[i].box.max);
-    const Binning binning(centres);
-    std::array<std::array<Bin, bin_count>, 3> bins;
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-      const Box3f& box = (*boxes_)[i].box;
-      for (int k = 0; k < 3; ++k) {
-        Bin& bin = bins[static_cast<std::size_t>(k)][static_cast<std::size_t>(binning.bin(box, k))];
-        bin.box.add(box);
-        ++bin.count;
-      }
-    }
-    Cut cut;
-    for (int k = 0; k < 3; ++k) keep_cheapest(bins[static_cast<std::size_t>(k)], k, leaves, cut);
+  std::pair<Range, Range> split(const Range& range, std::uint32_t leaves = Bins::any_number) {
+    const Bins bins = filled(range);
+    const Cut cut = bins.cheapest_cut(leaves);
     if (cut.cost == std::numeric_limits<float>::infinity()) return halve(range, leaves);
-    const auto begin = boxes_->begin();
-    const auto mid = std::partition(begin + range.begin, begin + range.end, [&](const BoxedPrimitive& b) {
-      return binning.bin(b.box, cut.axis) <= cut.last_left_bin;
-    });
-    const auto middle = static_cast<std::uint32_t>(mid - begin);
+    const std::uint32_t middle =
+        range.begin + partition(range, [&](const BoxedPrimitive& b) { return bins.is_left(b, cut); });
     return {Range{range.begin, middle, cut.left}, Range{middle, range.end, cut.right}};
   }
 
-  std::pair<Range, Range> halve(const Range& range, std::uint32_t leaves = any_number) {
+  Bins filled(const Range& range) const {
+    std::vector<CentreBox> centres(chunks(range));
+    for_chunks(range, [&](std::size_t i, const Range& part) { centres[i] = CentreBox(boxes(part)); });
+    for (const CentreBox& c : centres) centres.front().box.add(c.box);
+    std::vector<Bins> bins(centres.size(), Bins(centres.front()));
+    for_chunks(range, [&](std::size_t i, const Range& part) { bins[i].add(boxes(part)); });
+    for (std::size_t i = 1; i < bins.size(); ++i) bins.front().add(bins[i]);
+    return bins.front();
+  }
+
+  // Puts those that are left first, in their order; gives their number.
+  template <class IsLeft>
+  std::uint32_t partition(const Range& range, IsLeft&& is_left) {
+    const auto begin = boxes_->begin() + range.begin;
+    if (range.count() <= chunk)
+      return static_cast<std::uint32_t>(std::partition(begin, begin + range.count(), is_left) - begin);
+    std::vector<std::uint32_t> lefts(chunks(range));
+    for_chunks(range, [&](std::size_t i, const Range& part) {
+      const auto all = boxes(part);
+      lefts[i] = static_cast<std::uint32_t>(std::count_if(all.begin(), all.end(), is_left));
+    });
+    const std::uint32_t left = std::reduce(lefts.begin(), lefts.end());
+    std::vector<BoxedPrimitive> sorted(range.count());
+    std::exclusive_scan(lefts.begin(), lefts.end(), lefts.begin(), 0U);
+    for_chunks(range, [&](std::size_t i, const Range& part) {
+      std::uint32_t to_left = lefts[i], to_right = left + part.begin - range.begin - lefts[i];
+      for (const BoxedPrimitive& b : boxes(part)) sorted[is_left(b) ? to_left++ : to_right++] = b;
+    });
+    for_chunks(range, [&](std::size_t, const Range& part) {
+      std::copy_n(sorted.begin() + (part.begin - range.begin), part.count(), boxes_->begin() + part.begin);
+    });
+    return left;
+  }
+
+  static std::size_t chunks(const Range& range) { return range.count() / chunk + 1; }
+  template <class Work>
+  void for_chunks(const Range& range, Work&& work) const {
+    parallel_for_cpu(
+        device_, static_cast<std::int64_t>(chunks(range)),
+        [&](std::int64_t i) {
+          const std::uint32_t begin = range.begin + static_cast<std::uint32_t>(i) * chunk;
+          work(static_cast<std::size_t>(i), Range{begin, std::min(begin + chunk, range.end), {}});
+        },
+        1);
+  }
+
+  std::pair<Range, Range> halve(const Range& range, std::uint32_t leaves = Bins::any_number) {
     const int axis = longest_axis(range.box);
     const std::uint32_t share =
-        leaves == any_number ? range.count() / 2 : range.count() * (leaves / 2) / leaves;
+        leaves == Bins::any_number ? range.count() / 2 : range.count() * (leaves / 2) / leaves;
     const std::uint32_t middle = range.begin + share;
     const auto begin = boxes_->begin();
     std::nth_element(begin + range.begin, begin + middle, begin + range.end,
@@ -178,6 +158,7 @@ class Splitter {
     return {bounded(range.begin, middle), bounded(middle, range.end)};
   }
 
+  Device device_;
   std::vector<BoxedPrimitive>* boxes_;
 };
 
@@ -273,7 +254,7 @@ void append(SplitTree& tree, const Pending& place, SplitTree part) {
 SplitTree split_into_nodes(const Device& device, std::vector<BoxedPrimitive>& boxes) {
   SplitTree tree;
   if (boxes.empty()) return tree;
-  Splitter splitter(boxes);
+  Splitter splitter(device, boxes);
   const auto small = std::max<std::uint32_t>(4096, static_cast<std::uint32_t>(boxes.size() / 64));
   const std::vector<Pending> rest = top_of_tree(splitter, tree, small);
   std::vector<SplitTree> parts(rest.size());
