@@ -1,6 +1,6 @@
 // Thickness by one search against the paper's shrinking sphere and bisection, and the whole measure on shapes
 // where everything is equally far away. Processor time of one thread.
-// Usage: bench_thickness [--most FACETS] [--chart FILE.svg]
+// Usage: bench_thickness [--most FACETS] [--chart FILE.svg] [--only ratios|table|figure|far]
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -148,14 +148,19 @@ void print_equally_far(double most) {
 int main(int argc, char** argv) {
   double most = 2e6;
   const char* chart = nullptr;
+  std::string only;
   for (int i = 1; i + 1 < argc; i += 2) {
     if (std::strcmp(argv[i], "--most") == 0) most = std::atof(argv[i + 1]);
     if (std::strcmp(argv[i], "--chart") == 0) chart = argv[i + 1];
+    if (std::strcmp(argv[i], "--only") == 0) only = argv[i + 1];
   }
-  gabarit::print_ratios(most);
-  gabarit::print_table_1(most);
-  const auto lines = gabarit::print_fig_12(most);
-  if (chart != nullptr) std::ofstream(chart) << gabarit::thickness_chart(lines);
-  gabarit::print_equally_far(most);
+  const auto wanted = [&](const char* name) { return only.empty() || only == name; };
+  if (wanted("ratios")) gabarit::print_ratios(most);
+  if (wanted("table")) gabarit::print_table_1(most);
+  if (wanted("figure")) {
+    const auto lines = gabarit::print_fig_12(most);
+    if (chart != nullptr) std::ofstream(chart) << gabarit::thickness_chart(lines);
+  }
+  if (wanted("far")) gabarit::print_equally_far(most);
   return 0;
 }

@@ -21,7 +21,8 @@ inline FacetSurface surface_of(const TriangleMesh& mesh) {
 }
 
 // Facets anywhere in a cube of 10 mm, of any shape and size up to `size`; every third one is an edge instead,
-// every fifth a vertex, each with a fan of two directions. Some stand on the same corners as others.
+// every fifth a vertex, each with a fan of two directions, those of an edge across it. Some stand on the same
+// corners as others.
 inline FacetSurface random_surface(std::uint32_t count, double size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-5, 5), step(-size, size);
@@ -38,7 +39,11 @@ inline FacetSurface random_surface(std::uint32_t count, double size, unsigned se
     } else {
       p.corner[2] = static_cast<std::uint32_t>(surface.fan_first.size() - 1);
       if (i % 3 != 0) p.corner[1] = first;
-      for (int k = 0; k < 2; ++k) surface.fan_directions.push_back(rounded(normalized(any(step))));
+      const Vec3d along = surface.points[p.corner[1]] - a;
+      for (int k = 0; k < 2; ++k) {
+        const Vec3d w = any(step);
+        surface.fan_directions.push_back(rounded(normalized(along == Vec3d{} ? w : cross(along, w))));
+      }
       surface.fan_first.push_back(static_cast<std::uint32_t>(surface.fan_directions.size()));
     }
     surface.primitives.push_back(p);
