@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "gpu/parallel_for.h"
+
 namespace gabarit {
 namespace {
 
@@ -27,39 +29,47 @@ double sagitta(double own, double other, double angle) {
 
 double bend(const Vec3d& m, const Vec3d& n) { return std::atan2(length(cross(m, n)), dot(m, n)); }
 
-// A quad that is cut into two facets in one plane lies off the surface as a whole.
-std::vector<float> greatest_of_quads(const TriangleMesh& mesh, const Adjacency& adjacency,
-                                     const std::vector<float>& sag) {
-  std::vector<float> out = sag;
-  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
-    if (!(sag[f] > 0)) continue;
-    for (const EdgeNeighbour& edge : adjacency.of(f))
-      if (bend(facet_normal(mesh, f), facet_normal(mesh, edge.facet)) < flat)
-        out[f] = std::max(out[f], sag[edge.facet]);
+float sag_of(const TriangleMesh& mesh, const Adjacency& adjacency, FacetId f, double crease,
+             double declared) {
+  const Vec3d normal = facet_normal(mesh, f);
+  if (normal == Vec3d{}) return 0;
+  std::array<double, 3> across{};
+  for (const EdgeNeighbour& edge : adjacency.of(f)) {
+    const double angle = bend(normal, facet_normal(mesh, edge.facet));
+    if (angle > crease || angle < flat) continue;
+    const double other = width(mesh, edge.facet, edge.other);
+    const double own = std::min(width(mesh, f, edge.edge), 2 * other);
+    double& most = across[edge.edge];
+    if (own > 0) most = std::max(most, sagitta(own, other, angle));
   }
-  return out;
+  return static_cast<float>(std::min(declared, allowance * (across[0] + across[1] + across[2])));
+}
+
+// A quad that is cut into two facets in one plane lies off the surface as a whole.
+float greatest_of_quad(const TriangleMesh& mesh, const Adjacency& adjacency, FacetId f,
+                       const std::vector<float>& sag) {
+  float greatest = sag[f];
+  if (!(greatest > 0)) return greatest;
+  for (const EdgeNeighbour& edge : adjacency.of(f)) {
+    if (bend(facet_normal(mesh, f), facet_normal(mesh, edge.facet)) < flat)
+      greatest = std::max(greatest, sag[edge.facet]);
+  }
+  return greatest;
 }
 
 }  // namespace
 
 std::vector<float> local_sag(const TriangleMesh& mesh, const Adjacency& adjacency, double crease,
-                             double declared) {
-  std::vector<float> sag(mesh.facet_count(), 0);
-  for (FacetId f = 0; f < mesh.facet_count(); ++f) {
-    const Vec3d normal = facet_normal(mesh, f);
-    if (normal == Vec3d{}) continue;
-    std::array<double, 3> across{};
-    for (const EdgeNeighbour& edge : adjacency.of(f)) {
-      const double angle = bend(normal, facet_normal(mesh, edge.facet));
-      if (angle > crease || angle < flat) continue;
-      const double other = width(mesh, edge.facet, edge.other);
-      const double own = std::min(width(mesh, f, edge.edge), 2 * other);
-      double& most = across[edge.edge];
-      most = std::max(most, sagitta(own, other, angle));
-    }
-    sag[f] = static_cast<float>(std::min(declared, allowance * (across[0] + across[1] + across[2])));
-  }
-  return greatest_of_quads(mesh, adjacency, sag);
+                             double declared, const Device& device) {
+  std::vector<float> sag(mesh.facet_count()), of_quad(sag.size());
+  const auto for_each_facet = [&](const auto& work) {
+    parallel_for_cpu(
+        device, static_cast<std::int64_t>(sag.size()), [&](std::int64_t i) { work(static_cast<FacetId>(i)); },
+        8192);
+  };
+  for_each_facet([&](FacetId f) { sag[f] = sag_of(mesh, adjacency, f, crease, declared); });
+  for_each_facet([&](FacetId f) { of_quad[f] = greatest_of_quad(mesh, adjacency, f, sag); });
+  return of_quad;
 }
 
 }  // namespace gabarit

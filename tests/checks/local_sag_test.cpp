@@ -17,7 +17,7 @@ constexpr double crease = 40 * std::numbers::pi / 180;
 
 std::vector<float> sag_of(const Triangles& shape, double declared = 10) {
   const TriangleMesh mesh = shapes::mesh(shape);
-  return local_sag(mesh, Adjacency(mesh), crease, declared);
+  return local_sag(mesh, Adjacency(mesh), crease, declared, Device::cpu());
 }
 
 // How far the surface lies from places of a facet, `off` being the distance of a point from it.
