@@ -4,11 +4,11 @@
 #include <cstring>
 #include <string>
 
+#include "gpu/bumpy_ball.h"
 #include "gpu/closest_point.h"
 #include "gpu/maximal_sphere.h"
 #include "gpu/maximal_sphere_kernel.h"
 #include "gpu/ray_cast.h"
-#include "gpu/tests/bumpy_surface.h"
 #include "gpu/triangle.h"
 
 namespace gabarit {
