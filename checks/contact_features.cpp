@@ -50,16 +50,17 @@ class Features {
   // Every direction in which the surface leaves the vertices at the ends of ridges.
   void add_vertices() {
     std::map<VertexId, Star> stars;
-    for (const VertexId v : ends_) stars[v];
+    std::vector<bool> is_end(mesh_.vertices.size());
+    for (const VertexId v : ends_) stars[v], is_end[v] = true;
     for (FacetId f = 0; f < mesh_.facet_count(); ++f) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto star = stars.find(mesh_.facets[f][i]);
-        if (star == stars.end()) continue;
+        if (!is_end[mesh_.facets[f][i]]) continue;
+        Star& star = stars.at(mesh_.facets[f][i]);
         const Vec3d normal = facet_normal(mesh_, f);
-        if (normal != Vec3d{}) star->second.normals.push_back(normal);
+        if (normal != Vec3d{}) star.normals.push_back(normal);
         for (const std::size_t k : {(i + 1) % 3, (i + 2) % 3}) {
           const Vec3d w = normalized(mesh_.vertices[mesh_.facets[f][k]] - mesh_.vertices[mesh_.facets[f][i]]);
-          if (is_finite(w) && w != Vec3d{}) star->second.directions.push_back(w);
+          if (is_finite(w) && w != Vec3d{}) star.directions.push_back(w);
         }
       }
     }

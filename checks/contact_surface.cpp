@@ -46,7 +46,7 @@ bool is_closed(const TriangleMesh& mesh, const Adjacency& adjacency) {
 
 ContactSurface contact_surface(const TriangleMesh& mesh, const Adjacency& adjacency,
                                const SurfaceOptions& options, const Device& device) {
-  std::vector<float> sag = local_sag(mesh, adjacency, options.crease, options.sag);
+  std::vector<float> sag = local_sag(mesh, adjacency, options.crease, options.sag, device);
   FacetSurface surface = facets_of(mesh, sag, options.side);
   add_features(surface, mesh, adjacency, sag, options.side);
   return {Bvh(device, std::move(surface)), smooth_normals(mesh, options.crease, device), std::move(sag),

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "gpu/device.h"
 #include "model/adjacency.h"
 
 namespace gabarit {
@@ -14,6 +15,6 @@ namespace gabarit {
 // neighbours are all in their plane lie on the surface: 0. Never more than `declared`. Holds on tessellated
 // cylinders, spheres and tori.
 std::vector<float> local_sag(const TriangleMesh& mesh, const Adjacency& adjacency, double crease,
-                             double declared);
+                             double declared, const Device& device);
 
 }  // namespace gabarit

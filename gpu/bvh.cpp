@@ -75,12 +75,9 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   boxes = {};
   renumber_points(surface);
   add_cones(device, surface, origin_, tree);
-  order_.reserve(surface.primitives.size());
-  for (const Primitive& p : surface.primitives) {
-    order_.push_back(p.id);
-    greatest_sag_ = std::max(greatest_sag_, p.sag);
-  }
+  for (const Primitive& p : surface.primitives) greatest_sag_ = std::max(greatest_sag_, p.sag);
   nodes_ = {device, std::move(tree.nodes)};
+  leaves_ = {device, std::move(tree.leaves)};
   primitives_ = {device, std::move(surface.primitives)};
   points_ = {device, std::move(surface.points)};
   fan_first_ = {device, std::move(surface.fan_first)};
@@ -88,13 +85,28 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
 }
 
 BvhView Bvh::view() const {
-  return {
-      nodes_.view(), primitives_.view(), points_.view(), fan_first_.view(), fan_directions_.view(), origin_,
-      reach_,        greatest_sag_};
+  return {nodes_.view(),
+          leaves_.view(),
+          primitives_.view(),
+          points_.view(),
+          fan_first_.view(),
+          fan_directions_.view(),
+          origin_,
+          reach_,
+          greatest_sag_};
+}
+
+std::vector<std::uint32_t> Bvh::order() const {
+  std::vector<Primitive> primitives(static_cast<std::size_t>(primitives_.view().size));
+  primitives_.read(primitives);
+  std::vector<std::uint32_t> order;
+  order.reserve(primitives.size());
+  for (const Primitive& p : primitives) order.push_back(p.id);
+  return order;
 }
 
 std::size_t Bvh::bytes() const {
-  return nodes_.bytes() + primitives_.bytes() + points_.bytes() + fan_first_.bytes() +
+  return nodes_.bytes() + leaves_.bytes() + primitives_.bytes() + points_.bytes() + fan_first_.bytes() +
          fan_directions_.bytes();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/bvh_leaf.h"
 #include "gpu/vec3.h"
 
 namespace gabarit {
@@ -44,11 +45,12 @@ struct alignas(32) BvhNode {
   float axis[3][tree_width];        // mean normal of the facets below, unit or zero
   float offset[tree_width];         // axis · p >= offset for every point p below
   float cone[tree_width];           // cosine of the widest angle between axis and a normal below; -1: any
-  std::uint32_t child[tree_width];  // a node, or leaf_flag | (count - 1) << 28 | first primitive
+  std::uint32_t child[tree_width];  // a node, or leaf_flag | leaf
 };
 
 struct BvhView {
   View<const BvhNode> nodes;  // the first is the root; none when there is no primitive
+  View<const BvhLeaf> leaves;
   View<const Primitive> primitives;
   View<const Vec3d> points;
   View<const std::uint32_t> fan_first;
@@ -72,16 +74,16 @@ class Bvh {
   const Device& device() const { return device_; }
   std::size_t bytes() const;
   // Ids in the order of the tree: neighbours in the list are neighbours in space.
-  const std::vector<std::uint32_t>& order() const { return order_; }
+  std::vector<std::uint32_t> order() const;
 
  private:
   Device device_;
   Buffer<BvhNode> nodes_;
+  Buffer<BvhLeaf> leaves_;
   Buffer<Primitive> primitives_;
   Buffer<Vec3d> points_;
   Buffer<std::uint32_t> fan_first_;
   Buffer<Vec3f> fan_directions_;
-  std::vector<std::uint32_t> order_;
   Vec3d origin_;
   float reach_ = 0, greatest_sag_ = 0;
 };

@@ -22,8 +22,12 @@ struct PrimitiveRange {
 
 struct SplitTree {
   std::vector<BvhNode> nodes;
+  std::vector<BvhLeaf> leaves;
   std::vector<std::array<PrimitiveRange, tree_width>> ranges;  // one a node
 };
+
+// A leaf of at most leaf_width primitives, the first of which is number `first`.
+BvhLeaf packed(std::span<const BoxedPrimitive> boxes, std::uint32_t first);
 
 // Puts the boxes into the order of the tree.
 SplitTree split_into_nodes(const Device& device, std::vector<BoxedPrimitive>& boxes);

@@ -1,14 +1,16 @@
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
-#include "gpu/bvh_build.h"
+#include "gpu/bvh_cut.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
 namespace {
 
-constexpr std::uint32_t leaf_size = 6;
-constexpr int bin_count = 16;
+// What one node can hold in leaves that are not quite full; parts of this size are not split between nodes.
+constexpr std::uint32_t bottom_size = 48;
+constexpr std::uint32_t usual_leaf_size = 6;
 // From this depth on ranges are halved by count: no input makes the tree deeper than the queries' stacks.
 constexpr int greatest_sah_depth = 14;
 
@@ -19,73 +21,33 @@ struct Range {
   std::uint32_t count() const { return end - begin; }
 };
 
-float half_area(const Box3f& box) {
-  const Vec3f e = box.extent();
-  return e.x * e.y + e.y * e.z + e.z * e.x;
-}
-
 int longest_axis(const Box3f& box) {
   const Vec3f e = box.extent();
   return e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
 }
 
-struct Bin {
-  Box3f box;
-  std::uint32_t count = 0;
-
-  void add(const Bin& b) { box.add(b.box), count += b.count; }
-};
-
-// Twice the centre of a box, and the bin it falls into.
-struct Binning {
-  int axis;
-  float from, scale;
-
-  Binning(int along, const Box3f& centres)
-      : axis(along),
-        from(centres.min[along]),
-        scale(static_cast<float>(bin_count) * 0.9999F / (centres.max[along] - centres.min[along])) {}
-  int bin(const Box3f& box) const {
-    return std::clamp(static_cast<int>((box.min[axis] + box.max[axis] - from) * scale), 0, bin_count - 1);
-  }
-};
-
-struct Cut {
-  float cost = std::numeric_limits<float>::infinity();
-  int last_left_bin = 0;
-  Box3f left, right;
-};
-
-Cut cheapest_cut(const std::array<Bin, bin_count>& bins) {
-  std::array<Bin, bin_count> right;
-  Bin sum;
-  for (std::size_t i = bin_count; i-- > 0;) sum.add(bins[i]), right[i] = sum;
-  Cut best;
-  sum = {};
-  for (std::size_t i = 0; i + 1 < bin_count; ++i) {
-    sum.add(bins[i]);
-    const Bin& other = right[i + 1];
-    if (sum.count == 0 || other.count == 0) continue;
-    const float cost = half_area(sum.box) * static_cast<float>(sum.count) +
-                       half_area(other.box) * static_cast<float>(other.count);
-    if (cost < best.cost) best = {cost, static_cast<int>(i), sum.box, other.box};
-  }
-  return best;
-}
+// Work on ranges larger than this is shared between threads, in chunks of this many.
+constexpr std::uint32_t chunk = 1 << 15;
 
 class Splitter {
  public:
-  explicit Splitter(std::vector<BoxedPrimitive>& boxes) : boxes_(&boxes) {}
+  Splitter(const Device& device, std::vector<BoxedPrimitive>& boxes) : device_(device), boxes_(&boxes) {}
 
   Range whole() const { return bounded(0, static_cast<std::uint32_t>(boxes_->size())); }
 
-  // Up to eight parts of a range, in order.
+  std::span<const BoxedPrimitive> boxes(const Range& range) const {
+    return std::span(*boxes_).subspan(range.begin, range.count());
+  }
+
+  // Up to eight parts of a range, in order: all of them leaves when they can be.
   std::vector<Range> parts(const Range& range, int depth) {
+    if (range.count() <= bottom_size) return leaves(range);
     std::vector<Range> parts{range};
     while (parts.size() < tree_width) {
       auto widest = parts.end();
       for (auto it = parts.begin(); it != parts.end(); ++it) {
-        if (it->count() > leaf_size && (widest == parts.end() || weight(*it, depth) > weight(*widest, depth)))
+        if (it->count() > bottom_size &&
+            (widest == parts.end() || weight(*it, depth) > weight(*widest, depth)))
           widest = it;
       }
       if (widest == parts.end()) break;
@@ -97,6 +59,23 @@ class Splitter {
   }
 
  private:
+  std::vector<Range> leaves(const Range& range) {
+    std::vector<Range> parts;
+    const std::uint32_t usual = (range.count() + usual_leaf_size - 1) / usual_leaf_size;
+    add_leaves(range, std::min<std::uint32_t>(usual, tree_width), parts);
+    return parts;
+  }
+
+  void add_leaves(const Range& range, std::uint32_t count, std::vector<Range>& parts) {
+    if (count == 1) return parts.push_back(range);
+    const auto [left, right] = split(range, count);
+    const std::uint32_t share = (count * left.count() + range.count() / 2) / range.count();
+    const std::uint32_t first =
+        std::clamp(share, leaves_for(left.count()), count - leaves_for(right.count()));
+    add_leaves(left, first, parts);
+    add_leaves(right, count - first, parts);
+  }
+
   static float weight(const Range& r, int depth) {
     return depth < greatest_sah_depth ? half_area(r.box) * static_cast<float>(r.count())
                                       : static_cast<float>(r.count());
@@ -108,32 +87,67 @@ class Splitter {
     return range;
   }
 
-  std::pair<Range, Range> split(const Range& range) {
-    Box3f centres;
-    for (std::uint32_t i = range.begin; i < range.end; ++i)
-      centres.add((*boxes_)[i].box.min + (*boxes_)[i].box.max);
-    const int axis = longest_axis(centres);
-    if (!(centres.max[axis] > centres.min[axis])) return halve(range);
-    const Binning binning(axis, centres);
-    std::array<Bin, bin_count> bins;
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-      Bin& bin = bins[static_cast<std::size_t>(binning.bin((*boxes_)[i].box))];
-      bin.box.add((*boxes_)[i].box);
-      ++bin.count;
-    }
-    const Cut cut = cheapest_cut(bins);
-    const auto begin = boxes_->begin();
-    const auto mid = std::partition(begin + range.begin, begin + range.end, [&](const BoxedPrimitive& b) {
-      return binning.bin(b.box) <= cut.last_left_bin;
-    });
-    const auto middle = static_cast<std::uint32_t>(mid - begin);
-    if (middle == range.begin || middle == range.end) return halve(range);
+  // `leaves`: how many both sides may take up together.
+  std::pair<Range, Range> split(const Range& range, std::uint32_t leaves = Bins::any_number) {
+    const Bins bins = filled(range);
+    const Cut cut = bins.cheapest_cut(leaves);
+    if (cut.cost == std::numeric_limits<float>::infinity()) return halve(range, leaves);
+    const std::uint32_t middle =
+        range.begin + partition(range, [&](const BoxedPrimitive& b) { return bins.is_left(b, cut); });
     return {Range{range.begin, middle, cut.left}, Range{middle, range.end, cut.right}};
   }
 
-  std::pair<Range, Range> halve(const Range& range) {
+  Bins filled(const Range& range) const {
+    std::vector<CentreBox> centres(chunks(range));
+    for_chunks(range, [&](std::size_t i, const Range& part) { centres[i] = CentreBox(boxes(part)); });
+    for (const CentreBox& c : centres) centres.front().box.add(c.box);
+    std::vector<Bins> bins(centres.size(), Bins(centres.front()));
+    for_chunks(range, [&](std::size_t i, const Range& part) { bins[i].add(boxes(part)); });
+    for (std::size_t i = 1; i < bins.size(); ++i) bins.front().add(bins[i]);
+    return bins.front();
+  }
+
+  // Puts those that are left first, in their order; gives their number.
+  template <class IsLeft>
+  std::uint32_t partition(const Range& range, IsLeft&& is_left) {
+    const auto begin = boxes_->begin() + range.begin;
+    if (range.count() <= chunk)
+      return static_cast<std::uint32_t>(std::partition(begin, begin + range.count(), is_left) - begin);
+    std::vector<std::uint32_t> lefts(chunks(range));
+    for_chunks(range, [&](std::size_t i, const Range& part) {
+      const auto all = boxes(part);
+      lefts[i] = static_cast<std::uint32_t>(std::count_if(all.begin(), all.end(), is_left));
+    });
+    const std::uint32_t left = std::reduce(lefts.begin(), lefts.end());
+    std::vector<BoxedPrimitive> sorted(range.count());
+    std::exclusive_scan(lefts.begin(), lefts.end(), lefts.begin(), 0U);
+    for_chunks(range, [&](std::size_t i, const Range& part) {
+      std::uint32_t to_left = lefts[i], to_right = left + part.begin - range.begin - lefts[i];
+      for (const BoxedPrimitive& b : boxes(part)) sorted[is_left(b) ? to_left++ : to_right++] = b;
+    });
+    for_chunks(range, [&](std::size_t, const Range& part) {
+      std::copy_n(sorted.begin() + (part.begin - range.begin), part.count(), boxes_->begin() + part.begin);
+    });
+    return left;
+  }
+
+  static std::size_t chunks(const Range& range) { return range.count() / chunk + 1; }
+  template <class Work>
+  void for_chunks(const Range& range, Work&& work) const {
+    parallel_for_cpu(
+        device_, static_cast<std::int64_t>(chunks(range)),
+        [&](std::int64_t i) {
+          const std::uint32_t begin = range.begin + static_cast<std::uint32_t>(i) * chunk;
+          work(static_cast<std::size_t>(i), Range{begin, std::min(begin + chunk, range.end), {}});
+        },
+        1);
+  }
+
+  std::pair<Range, Range> halve(const Range& range, std::uint32_t leaves = Bins::any_number) {
     const int axis = longest_axis(range.box);
-    const std::uint32_t middle = range.begin + range.count() / 2;
+    const std::uint32_t share =
+        leaves == Bins::any_number ? range.count() / 2 : range.count() * (leaves / 2) / leaves;
+    const std::uint32_t middle = range.begin + share;
     const auto begin = boxes_->begin();
     std::nth_element(begin + range.begin, begin + middle, begin + range.end,
                      [axis](const BoxedPrimitive& a, const BoxedPrimitive& b) {
@@ -144,6 +158,7 @@ class Splitter {
     return {bounded(range.begin, middle), bounded(middle, range.end)};
   }
 
+  Device device_;
   std::vector<BoxedPrimitive>* boxes_;
 };
 
@@ -177,10 +192,12 @@ void add_node(Splitter& splitter, const Range& range, int depth, SplitTree& tree
   for (const Range& part : splitter.parts(range, depth)) {
     for (int k = 0; k < 3; ++k) node.lo[k][slot] = part.box.min[k], node.hi[k][slot] = part.box.max[k];
     ranges[static_cast<std::size_t>(slot)] = {part.begin, part.end};
-    if (part.count() <= leaf_size)
-      node.child[slot] = leaf_flag | (part.count() - 1) << 28 | part.begin;
-    else
+    if (part.count() <= leaf_width) {
+      node.child[slot] = leaf_flag | static_cast<std::uint32_t>(tree.leaves.size());
+      tree.leaves.push_back(packed(splitter.boxes(part), part.begin));
+    } else {
       pending.push_back({part, number, slot, depth + 1});
+    }
     ++slot;
   }
   tree.nodes.push_back(node);
@@ -219,13 +236,15 @@ std::vector<Pending> top_of_tree(Splitter& splitter, SplitTree& tree, std::uint3
 }
 
 void append(SplitTree& tree, const Pending& place, SplitTree part) {
-  const auto offset = static_cast<std::uint32_t>(tree.nodes.size());
-  tree.nodes[place.node].child[place.slot] = offset;
+  const auto nodes = static_cast<std::uint32_t>(tree.nodes.size());
+  const auto leaves = static_cast<std::uint32_t>(tree.leaves.size());
+  tree.nodes[place.node].child[place.slot] = nodes;
   for (BvhNode& node : part.nodes) {
     for (std::uint32_t& child : node.child) {
-      if ((child & leaf_flag) == 0) child += offset;
+      if (child != no_child) child += (child & leaf_flag) == 0 ? nodes : leaves;
     }
   }
+  tree.leaves.insert(tree.leaves.end(), part.leaves.begin(), part.leaves.end());
   tree.nodes.insert(tree.nodes.end(), part.nodes.begin(), part.nodes.end());
   tree.ranges.insert(tree.ranges.end(), part.ranges.begin(), part.ranges.end());
 }
@@ -235,7 +254,7 @@ void append(SplitTree& tree, const Pending& place, SplitTree part) {
 SplitTree split_into_nodes(const Device& device, std::vector<BoxedPrimitive>& boxes) {
   SplitTree tree;
   if (boxes.empty()) return tree;
-  Splitter splitter(boxes);
+  Splitter splitter(device, boxes);
   const auto small = std::max<std::uint32_t>(4096, static_cast<std::uint32_t>(boxes.size() / 64));
   const std::vector<Pending> rest = top_of_tree(splitter, tree, small);
   std::vector<SplitTree> parts(rest.size());

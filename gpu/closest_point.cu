@@ -16,7 +16,9 @@ class Nearest {
 
   GABARIT_HD float limit() const { return limit_; }
 
-  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) const {
+  template <class Boxes>
+  GABARIT_HD unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
+    unsigned mask = 0;
     for (int i = 0; i < tree_width; ++i) {
       float sum = 0;
       for (int k = 0; k < 3; ++k) {
@@ -25,7 +27,9 @@ class Nearest {
         sum += outside > 0 ? outside * outside : 0.0F;
       }
       lower[i] = sum * (1 - 2e-6F);
+      mask |= lower[i] <= limit_ ? 1U << i : 0U;
     }
+    return mask;
   }
 
   GABARIT_HD void visit(const Primitive& p) {
@@ -47,7 +51,7 @@ class Nearest {
   ClosestPoint closest_;
   double squared_ = std::numeric_limits<double>::infinity();
   Vec3f origin_;
-  float limit_ = std::numeric_limits<float>::infinity();
+  float limit_ = std::numeric_limits<float>::max();  // an absent child is infinitely far
   float slop_ = 0;
 };
 

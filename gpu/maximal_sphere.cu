@@ -34,7 +34,7 @@ struct SphereRuns {
     const std::int64_t end = (run + 1) * length < queries.size ? (run + 1) * length : queries.size;
     for (std::int64_t i = run * length; i < end; ++i) {
       MaximalSphere sphere(tree, options, queries[i]);
-      if (guess != nullptr) sphere.visit(*guess);
+      if (guess != nullptr) sphere.start_from(*guess);
       traverse(tree, sphere);
       contacts[i] = sphere.result();
       if (is_loose(queries[i]))

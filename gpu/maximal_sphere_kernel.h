@@ -49,22 +49,27 @@ class MaximalSphere {
 
   GABARIT_HD float limit() const { return limit_; }
 
-  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) {
+  GABARIT_HD unsigned within(const BvhNode& node, float (&lower)[tree_width]) {
     if (++visits_ > patience) limit_ = culling_.probe() / gap_.widen();
-    culling_.lower_bounds(node, lower);
+    return culling_.within(node, limit_, lower);
+  }
+
+  GABARIT_HD unsigned within(const EightBoxes& boxes, float (&lower)[leaf_width]) const {
+    return culling_.within(boxes, limit_, lower);
   }
 
   GABARIT_HD void visit(const Primitive& p) {
-    if (p.id == query_.own) return;
-    if (p.is_facet()) {
-      const Vec3d a = tree_.corner(p, 0) - query_.point;
-      const FacetGlance glance(p, query_.direction, a);
-      if (glance.facing < -options_.cos_separation - 1e-6 || !glance.reached_by(reach_)) return;
-      record(p, ball_through_triangle(query_.direction, a, tree_.corner(p, 1) - query_.point,
-                                      tree_.corner(p, 2) - query_.point, reach_));
-    } else {
+    if (p.id == query_.own || &p == guess_) return;
+    if (p.is_facet())
+      visit_facet(p);
+    else
       visit_feature(p);
-    }
+  }
+
+  // What may be the contact, before the search: the better the guess, the less there is to look at.
+  GABARIT_HD void start_from(const Primitive& guess) {
+    visit(guess);
+    guess_ = &guess;
   }
 
   // The lower bound is that of the arithmetic alone.
@@ -79,6 +84,23 @@ class MaximalSphere {
 
  private:
   static constexpr int patience = 96;
+
+  GABARIT_HD void visit_facet(const Primitive& p) {
+    const Vec3d d = query_.direction;
+    const Vec3d a = tree_.corner(p, 0) - query_.point;
+    const FacetGlance glance(p, d, a);
+    if (glance.facing < -options_.cos_separation - 1e-6 || !glance.reached_by(reach_)) return;
+    const Vec3d b = tree_.corner(p, 1) - query_.point, c = tree_.corner(p, 2) - query_.point;
+    if (is_shallow(a, b, c)) return;
+    record(p, ball_through_triangle(d, a, b, c, reach_));
+  }
+
+  // Facets in the plane of the query: what a ball within reach touches so little ahead lies within the floor.
+  GABARIT_HD bool is_shallow(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
+    const double ha = dot(query_.direction, a), hb = dot(query_.direction, b), hc = dot(query_.direction, c);
+    const double h = ha > hb ? ha : hb, deepest = h > hc ? h : hc;
+    return deepest <= 0 || 4 * deepest * reach_ < options_.contact_floor * options_.contact_floor;
+  }
 
   GABARIT_HD void visit_feature(const Primitive& p) {
     const Vec3d a = tree_.corner(p, 0) - query_.point;
@@ -139,6 +161,7 @@ class MaximalSphere {
   SphereContact best_;
   double reach_ = 0;
   const Primitive* touched_ = nullptr;
+  const Primitive* guess_ = nullptr;
   SearchGap gap_;
   float limit_ = 0;
   int visits_ = 0;

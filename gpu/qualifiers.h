@@ -21,3 +21,16 @@
 #else
 #define GABARIT_X86 0
 #endif
+
+namespace gabarit {
+
+// The number of the lowest bit that is set; there must be one.
+GABARIT_HD inline int lowest_bit(unsigned bits) {
+#if GABARIT_ON_GPU
+  return __ffs(static_cast<int>(bits)) - 1;
+#else
+  return __builtin_ctz(bits);
+#endif
+}
+
+}  // namespace gabarit

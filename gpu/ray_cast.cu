@@ -9,30 +9,45 @@ class FirstHit {
  public:
   GABARIT_HD FirstHit(const BvhView& tree, const Ray& ray) : tree_(tree), ray_(ray) {
     const Vec3d o = ray.point - tree.origin;
+    Vec3f origin;
     for (int k = 0; k < 3; ++k) {
-      origin_[k] = static_cast<float>(o[k]);
+      origin[k] = static_cast<float>(o[k]);
       const auto d = static_cast<float>(ray.direction[k]);
       inverse_[k] = 1 / (d > 0 ? (d > 1e-20F ? d : 1e-20F) : (d < -1e-20F ? d : -1e-20F));
     }
-    const Vec3f a = max(origin_, -origin_);
-    slop_ = 1e-6F * (tree.reach + max(max(Vec3f{a.x, 0, 0}, Vec3f{a.y, 0, 0}), Vec3f{a.z, 0, 0}).x);
+    const Vec3f a = max(origin, -origin);
+    const float slop = 1e-6F * (tree.reach + (a.x > a.y ? (a.x > a.z ? a.x : a.z) : (a.y > a.z ? a.y : a.z)));
+    for (int k = 0; k < 3; ++k) {
+      const float back = inverse_[k] > 0 ? slop : -slop;
+      enter_from_[k] = origin[k] + back, leave_from_[k] = origin[k] - back;
+    }
+    from_ = static_cast<float>(ray.from) * (1 - 1e-6F);
   }
 
-  GABARIT_HD float limit() const { return static_cast<float>(hit_.distance) * (1 + 1e-6F); }
+  // Finite from the start: a bound of infinity is never worth a look.
+  GABARIT_HD float limit() const { return limit_; }
 
-  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) const {
-    for (int i = 0; i < tree_width; ++i) {
-      float near = 0, far = std::numeric_limits<float>::infinity();
-      for (int k = 0; k < 3; ++k) {
-        const float u = (node.lo[k][i] - slop_ - origin_[k]) * inverse_[k];
-        const float v = (node.hi[k][i] + slop_ - origin_[k]) * inverse_[k];
-        const float first = u < v ? u : v, last = u < v ? v : u;
-        near = first > near ? first : near;
-        far = last < far ? last : far;
-      }
-      lower[i] = near * (1 - 4e-6F) <= far * (1 + 4e-6F) ? near * (1 - 4e-6F)
-                                                         : std::numeric_limits<float>::infinity();
+  template <class Boxes>
+  GABARIT_HD unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
+    const float* enter[3];
+    const float* leave[3];
+    for (int k = 0; k < 3; ++k) {
+      const bool up = inverse_[k] > 0;
+      enter[k] = up ? node.lo[k] : node.hi[k], leave[k] = up ? node.hi[k] : node.lo[k];
     }
+    const Vec3f from = enter_from_, to = leave_from_, inverse = inverse_;
+    unsigned mask = 0;
+    for (int i = 0; i < tree_width; ++i) {
+      float near = from_, far = limit_;
+      for (int k = 0; k < 3; ++k) {
+        const float u = (enter[k][i] - from[k]) * inverse[k], v = (leave[k][i] - to[k]) * inverse[k];
+        near = u > near ? u : near;
+        far = v < far ? v : far;
+      }
+      lower[i] = near * (1 - 4e-6F);
+      mask |= lower[i] <= far * (1 + 4e-6F) ? 1U << i : 0U;
+    }
+    return mask;
   }
 
   // Möller & Trumbore, Fast, Minimum Storage Ray-Triangle Intersection, 1997.
@@ -44,10 +59,13 @@ class FirstHit {
     const Vec3d across = cross(ray_.direction, v);
     const double determinant = dot(u, across);
     if (!(determinant != 0)) return;
-    const double s = -dot(a, across) / determinant;
+    // Shares of the facet times the size of the determinant: most facets are missed, without a division.
+    const double size = std::fabs(determinant), sign = determinant < 0 ? -1.0 : 1.0;
+    const double s = -sign * dot(a, across);
+    if (!(s >= -1e-9 * size && s <= (1 + 1e-9) * size)) return;
     const Vec3d up = cross(-a, u);
-    const double r = dot(ray_.direction, up) / determinant;
-    if (!(s >= -1e-9 && r >= -1e-9 && s + r <= 1 + 1e-9)) return;
+    const double r = sign * dot(ray_.direction, up);
+    if (!(r >= -1e-9 * size && s + r <= (1 + 1e-9) * size)) return;
     const double distance = dot(v, up) / determinant;
     if (!(distance > ray_.from)) return;
     if (distance > hit_.distance || (distance == hit_.distance && p.id > hit_.facet)) return;
@@ -56,6 +74,7 @@ class FirstHit {
                 static_cast<double>(p.normal.y) * ray_.direction.y +
                 static_cast<double>(p.normal.z) * ray_.direction.z,
             p.sag};
+    limit_ = static_cast<float>(distance) * (1 + 1e-6F);
   }
 
   GABARIT_HD const RayHit& result() const { return hit_; }
@@ -64,8 +83,9 @@ class FirstHit {
   const BvhView& tree_;
   const Ray& ray_;
   RayHit hit_;
-  Vec3f origin_, inverse_;
-  float slop_ = 0;
+  Vec3f enter_from_, leave_from_, inverse_;
+  float from_ = 0;
+  float limit_ = std::numeric_limits<float>::max();
 };
 
 struct RayBatch {

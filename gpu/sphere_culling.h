@@ -37,6 +37,10 @@ class SphereCulling {
     direction_ = to_float(direction);
     cosine_ = static_cast<float>(options.cos_separation);
     sine_ = std::sqrt(1 - cosine_ * cosine_);
+    for (int k = 0; k < 3; ++k) {
+      const float across = 1 - direction_[k] * direction_[k];
+      across_[k] = std::sqrt((across > 0 ? across : 0.0F) + 4e-7F);
+    }
     slop_ = 1e-6F * (3 * tree.reach + largest(origin_)) + loose_.inflation;
   }
 
@@ -47,19 +51,23 @@ class SphereCulling {
   }
   GABARIT_HD float probe() const { return probe_; }
 
-  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) const {
-    const Vec3f o = origin_, d = direction_, c = centre_;
-    const float t = probe_, tt = t * t, slop = slop_, cosine = cosine_, sine = sine_;
-    const float near = slop + loose_.spacing, nearer = near + t * loose_.tilt;
+  GABARIT_HD unsigned within(const EightBoxes& boxes, float limit, float (&lower)[leaf_width]) const {
+    const Ball ball(*this);
+    unsigned mask = 0;
+    for (int i = 0; i < leaf_width; ++i) {
+      lower[i] = ball.bound(boxes, i);
+      mask |= lower[i] <= limit ? 1U << i : 0U;
+    }
+    return mask;
+  }
+
+  GABARIT_HD unsigned within(const BvhNode& node, float limit, float (&lower)[tree_width]) const {
+    const Ball ball(*this);
+    const Vec3f o = origin_, d = direction_;
+    const float slop = slop_, cosine = cosine_, sine = sine_;
+    unsigned mask = 0;
     for (int i = 0; i < tree_width; ++i) {
-      const float a = square(node.lo[0][i] - o.x, o.x - node.hi[0][i], near) +
-                      square(node.lo[1][i] - o.y, o.y - node.hi[1][i], near) +
-                      square(node.lo[2][i] - o.z, o.z - node.hi[2][i], near);
-      const float b = square(node.lo[0][i] - c.x, c.x - node.hi[0][i], nearer) +
-                      square(node.lo[1][i] - c.y, c.y - node.hi[1][i], nearer) +
-                      square(node.lo[2][i] - c.z, c.z - node.hi[2][i], nearer);
-      // Every q in the box has |q|² >= a and |q - t d|² >= b, so its ball is no smaller than this.
-      const float by_box = t * a / (a + (tt - b) + 2e-6F * tt) * (1 - 2e-6F);
+      const float by_box = ball.bound(node, i);
       // Every q below has axis·q >= h: its ball is no smaller than the one that is tangent to that plane.
       const float along = node.axis[0][i] * d.x + node.axis[1][i] * d.y + node.axis[2][i] * d.z;
       const float rest = 1 - along * along;
@@ -73,13 +81,41 @@ class SphereCulling {
       const float narrow = node.cone[i];
       const float wide = std::sqrt(1 - narrow * narrow);
       const bool faces = (narrow <= cosine) | (along >= -narrow * cosine - wide * sine - 4e-6F);
-      float bound = by_box > 0 ? by_box : 0.0F;
-      bound = by_plane > bound ? by_plane : bound;
-      lower[i] = faces & (b < tt) ? bound : std::numeric_limits<float>::infinity();
+      const float bound = by_plane > by_box ? by_plane : by_box;
+      lower[i] = faces ? bound : std::numeric_limits<float>::infinity();
+      mask |= lower[i] <= limit ? 1U << i : 0U;
     }
+    return mask;
   }
 
  private:
+  // What stays the same for all boxes, in variables of its own: they are registers.
+  struct Ball {
+    Vec3f o, c, near, nearer;  // a disk across the direction reaches less far along some axes than others
+    float t, tt;
+    GABARIT_HD explicit Ball(const SphereCulling& s)
+        : o(s.origin_),
+          c(s.centre_),
+          near(Vec3f{s.slop_, s.slop_, s.slop_} + s.loose_.spacing * s.across_),
+          t(s.probe_),
+          tt(s.probe_ * s.probe_) {
+      const float turn = s.probe_ * s.loose_.tilt, sag = 0.5F * turn * s.loose_.tilt;
+      nearer = near + Vec3f{sag, sag, sag} + turn * s.across_;
+    }
+
+    // Every q in the box has |q|² >= a and |q - t d|² >= b.
+    template <class Boxes>
+    GABARIT_HD float bound(const Boxes& boxes, int i) const {
+      const float a = square(boxes.lo[0][i] - o.x, o.x - boxes.hi[0][i], near.x) +
+                      square(boxes.lo[1][i] - o.y, o.y - boxes.hi[1][i], near.y) +
+                      square(boxes.lo[2][i] - o.z, o.z - boxes.hi[2][i], near.z);
+      const float b = square(boxes.lo[0][i] - c.x, c.x - boxes.hi[0][i], nearer.x) +
+                      square(boxes.lo[1][i] - c.y, c.y - boxes.hi[1][i], nearer.y) +
+                      square(boxes.lo[2][i] - c.z, c.z - boxes.hi[2][i], nearer.z);
+      const float by_box = t * a / (a + (tt - b) + 2e-6F * tt) * (1 - 2e-6F);
+      return b < tt ? (by_box > 0 ? by_box : 0.0F) : std::numeric_limits<float>::infinity();
+    }
+  };
   GABARIT_HD static float square(float below, float above, float slop) {
     float x = below > above ? below : above;
     x -= slop;
@@ -97,6 +133,7 @@ class SphereCulling {
   Vec3d base_, exact_direction_;
   Looseness loose_;
   Vec3f origin_, direction_, centre_;
+  Vec3f across_;  // how far a disk of radius 1 across the direction reaches along each axis
   float probe_ = 0, slop_ = 0, cosine_ = 0, sine_ = 0;
 };
 

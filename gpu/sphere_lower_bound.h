@@ -26,9 +26,13 @@ class SphereLowerBound {
 
   GABARIT_HD float limit() const { return limit_; }
 
-  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) {
+  GABARIT_HD unsigned within(const BvhNode& node, float (&lower)[tree_width]) {
     if (++visits_ > patience) limit_ = culling_.probe() / gap_.widen();
-    culling_.lower_bounds(node, lower);
+    return culling_.within(node, limit_, lower);
+  }
+
+  GABARIT_HD unsigned within(const EightBoxes& boxes, float (&lower)[leaf_width]) const {
+    return culling_.within(boxes, limit_, lower);
   }
 
   GABARIT_HD void visit(const Primitive& p) {

@@ -1,7 +1,8 @@
 // The walk over the tree, written once; what is looked for is a query:
-//   float lower_bounds(const BvhNode&, float (&lower)[8])  fills a lower bound a child, infinity to skip it
-//   float limit() const                                    children whose bound is above it are skipped
-//   void visit(const Primitive&)                           decides one primitive, may lower the limit
+//   unsigned within(boxes, float (&lower)[8])  boxes of a node's children or a leaf's primitives: fills a
+//                                              lower bound each, bit i of the result: it is within the limit
+//   float limit() const                        finite; what has a bound above it is skipped
+//   void visit(const Primitive&)               decides one primitive, may lower the limit
 #pragma once
 
 #include "gpu/bvh.h"
@@ -24,19 +25,20 @@ GABARIT_HD void traverse(const BvhView& tree, Query& query) {
   while (top > 0) {
     const Entry entry = stack[--top];
     if (!(entry.bound <= query.limit())) continue;
+    float lower[tree_width];
     if (entry.child & leaf_flag) {
-      const std::uint32_t first = entry.child & 0x0fffffffU;
-      const std::uint32_t last = first + (entry.child >> 28 & 7U);
-      for (std::uint32_t i = first; i <= last; ++i) query.visit(tree.primitives[i]);
+      const BvhLeaf& leaf = tree.leaves[entry.child & ~leaf_flag];
+      const unsigned all = (1U << leaf.count) - 1;
+      for (unsigned mask = query.within(boxes_of(leaf), lower) & all; mask != 0; mask &= mask - 1) {
+        const int i = lowest_bit(mask);
+        if (lower[i] <= query.limit()) query.visit(tree.primitives[leaf.first + static_cast<unsigned>(i)]);
+      }
       continue;
     }
     const BvhNode& node = tree.nodes[entry.child];
-    float lower[tree_width];
-    query.lower_bounds(node, lower);
     const int base = top;
-    const float limit = query.limit();
-    for (int i = 0; i < tree_width; ++i) {
-      if (!(lower[i] <= limit) || node.child[i] == no_child) continue;
+    for (unsigned mask = query.within(node, lower); mask != 0; mask &= mask - 1) {
+      const int i = lowest_bit(mask);
       int k = top++;
       for (; k > base && stack[k - 1].bound < lower[i]; --k) stack[k] = stack[k - 1];
       stack[k] = {lower[i], node.child[i]};

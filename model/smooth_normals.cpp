@@ -34,7 +34,7 @@ class Stars {
   std::vector<std::uint32_t> first_, half_edges_;
 };
 
-double weight(const TriangleMesh& mesh, FacetId f, std::uint32_t corner) {
+double weight(const TriangleMesh& mesh, FacetId f, std::size_t corner) {
   const Vec3d at = mesh.corner(f, static_cast<int>(corner));
   const Vec3d u = mesh.corner(f, static_cast<int>((corner + 1) % 3)) - at;
   const Vec3d v = mesh.corner(f, static_cast<int>((corner + 2) % 3)) - at;
@@ -52,10 +52,13 @@ std::vector<std::array<Vec3f, 3>> smooth_normals(const TriangleMesh& mesh, doubl
                                                  const Device& device) {
   const auto count = static_cast<std::int64_t>(mesh.facet_count());
   std::vector<Vec3d> normals(mesh.facet_count());
+  std::vector<std::array<double, 3>> weights(mesh.facet_count());
   parallel_for_cpu(
       device, count,
-      [&](std::int64_t f) {
-        normals[static_cast<std::size_t>(f)] = facet_normal(mesh, static_cast<FacetId>(f));
+      [&](std::int64_t i) {
+        const auto f = static_cast<FacetId>(i);
+        normals[f] = facet_normal(mesh, f);
+        for (std::size_t k = 0; k < 3; ++k) weights[f][k] = weight(mesh, f, k);
       },
       8192);
   const Stars stars(mesh, normals);
@@ -70,7 +73,7 @@ std::vector<std::array<Vec3f, 3>> smooth_normals(const TriangleMesh& mesh, doubl
         for (std::size_t k = 0; k < 3; ++k) {
           Vec3d sum;
           stars.for_each(mesh.facets[f][k], [&](FacetId g, std::uint32_t corner) {
-            if (g == f || dot(own, normals[g]) >= least) sum += weight(mesh, g, corner) * normals[g];
+            if (g == f || dot(own, normals[g]) >= least) sum += weights[g][corner] * normals[g];
           });
           const Vec3d mean = normalized(sum);
           corners[f][k] = to_float(mean == Vec3d{} ? own : mean);
