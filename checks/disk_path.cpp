@@ -24,8 +24,8 @@ static std::vector<PathPiece> free_pieces(const OutlineFeatures& outline, double
       }
     }
   };
-  parallel_for(device, static_cast<std::int64_t>(by_feature.size()), Kernel{&grid, by_feature.data(), points},
-               32);
+  parallel_for(device.host(), static_cast<std::int64_t>(by_feature.size()),
+               Kernel{&grid, by_feature.data(), points}, 32);
   std::vector<PathPiece> all;
   for (const auto& some : by_feature) all.insert(all.end(), some.begin(), some.end());
   return all;

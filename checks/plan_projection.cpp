@@ -66,7 +66,7 @@ struct FindExtents {
 PlanProjection::PlanProjection(const TriangleMesh& mesh, const Frame& frame, const Interval& band,
                                const Device& device)
     : mesh_(&mesh), band_(band), vertices_(mesh.vertices.size()) {
-  const Device cpu = Device::cpu(device.threads);
+  const Device cpu = device.host();
   parallel_for(cpu, static_cast<std::int64_t>(vertices_.size()),
                ToVehicle{mesh.vertices.data(), vertices_.data(), frame}, 65536);
   constexpr std::int64_t facets = 32768;

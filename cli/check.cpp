@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/devices.h"
 #include "cli/messages.h"
+#include "cli/on_device.h"
 #include "cli/output_folder.h"
 #include "cli/rule_file.h"
 #include "cli/run_record.h"
@@ -37,11 +38,10 @@ static std::optional<std::vector<RuleSet>> read_all_rules(const CheckOptions& op
   return in_the_way.empty() ? std::optional(std::move(sets)) : std::nullopt;
 }
 
-static Outcome run_rules(const Model& model, std::vector<RuleSet> sets, const CheckOptions& options,
+static Outcome run_rules(const Model& model, const std::vector<RuleSet>& sets, const CheckOptions& options,
                          const Device& device, Progress& progress) {
   std::string current;
   EngineOptions engine;
-  engine.device = device;
   engine.sag = options.model.sag_length();
   engine.only = options.only;
   engine.progress = [&](const std::string& rule, double fraction) {
@@ -49,7 +49,13 @@ static Outcome run_rules(const Model& model, std::vector<RuleSet> sets, const Ch
     progress.update(fraction);
   };
   progress.begin("rules");
-  Outcome outcome = run(model, std::move(sets), engine);
+  Outcome outcome = on_device(
+      device, options.device == "cuda",
+      [&](const Device& where) {
+        engine.device = where;
+        return run(model, sets, engine);
+      },
+      [](const std::string& trouble) { print_error(trouble + "; the CPU computes all of it instead"); });
   progress.end();
   return outcome;
 }
@@ -85,9 +91,9 @@ static void print_summary(const std::string& text) {
   }
 }
 
-static int check_model(const Model& model, std::vector<RuleSet> sets, const CheckOptions& options,
+static int check_model(const Model& model, const std::vector<RuleSet>& sets, const CheckOptions& options,
                        const Device& device, RunRecord record, Progress& progress) {
-  const Outcome outcome = run_rules(model, std::move(sets), options, device, progress);
+  const Outcome outcome = run_rules(model, sets, options, device, progress);
   Report report = make_report(model, outcome);
   report.command_line = options.settings(model, outcome);
   WriteOptions writing;
@@ -120,7 +126,7 @@ static int run_check(const CheckOptions& options) {
   Progress progress(progress_is_visible());
   const Result<Model> model = options.model.load_model(progress);
   if (!model) return exit_bad_input;
-  return check_model(*model, std::move(*sets), options, device, record, progress);
+  return check_model(*model, *sets, options, device, record, progress);
 }
 
 Command check_command(CLI::App& app) {

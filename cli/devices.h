@@ -7,7 +7,8 @@
 
 namespace gabarit {
 
-// "auto", "cpu" or "cuda"; throws UsageError for one that can't compute here.
+// "auto", "cpu" or "cuda"; throws UsageError for one that can't compute here. A CUDA device has to give the
+// bits of the CPU in a short trial first; auto takes the CPU when none does.
 Device choose_device(const std::string& name, int threads);
 
 }  // namespace gabarit

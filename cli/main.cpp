@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/exit_code.h"
 #include "cli/messages.h"
+#include "gpu/device_error.h"
 #include "report/version.h"
 #include "rules/nearest_name.h"
 
@@ -94,6 +95,9 @@ int main(int argc, char** argv) {
     return exit_bad_input;
   } catch (const std::bad_alloc&) {
     print_error("out of memory; nothing was written. Use a machine with more memory, or a coarser model.");
+  } catch (const DeviceError& error) {
+    print_error(std::string(error.what()) + "; choose --device cpu or auto");
+    return exit_bad_input;
   } catch (const std::exception& error) {
     print_error(std::string("internal error: ") + error.what() +
                 "\nThis is a fault of gabarit. Please report it with the command line and the files.");

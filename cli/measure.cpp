@@ -9,6 +9,7 @@
 #include "cli/exit_code.h"
 #include "cli/messages.h"
 #include "cli/model_options.h"
+#include "cli/on_device.h"
 #include "cli/output_folder.h"
 #include "report/display_unit.h"
 #include "report/number_text.h"
@@ -128,11 +129,13 @@ static int run_measure(const MeasureOptions& options, const std::vector<std::str
   const Result<Model> model = options.model.load_model(progress);
   if (!model) return exit_bad_input;
   progress.begin(measure.name);
-  const Scene scene(*model, choose_device("auto", options.model.threads));
   Setup setup = resolve_setup(*model, RuleSet{}, options.model.sag_length());
   setup.progress = [&](double fraction) { progress.update(fraction); };
   const Region region = whole_model(model->mesh);
-  const Field field = measure.measure(scene, setup, region, arguments);
+  const Field field = on_device(
+      choose_device("auto", options.model.threads), false,
+      [&](const Device& device) { return measure.measure(Scene(*model, device), setup, region, arguments); },
+      [](const std::string& trouble) { print_error(trouble + "; the CPU computes all of it instead"); });
   progress.begin("write");
   const Diagnostics failed = write_field(
       options.out, {&model->mesh, &region, &field, nullptr, display_unit(measure.dimension).factor,

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "gpu/bvh_build.h"
+#include "gpu/bvh_there.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -25,14 +26,8 @@ std::vector<BoxedPrimitive> boxed(const Device& device, const FacetSurface& surf
       device, static_cast<std::int64_t>(boxes.size()),
       [&](std::int64_t i) {
         const auto k = static_cast<std::size_t>(i);
-        const Primitive& p = surface.primitives[k];
-        Box3d box;
-        for (int c = 0; c < corners(p); ++c)
-          box.add(surface.points[p.corner[static_cast<std::size_t>(c)]] - origin);
-        const auto s = static_cast<double>(p.sag);
-        boxes[k].box.min = {round_down(box.min.x - s), round_down(box.min.y - s), round_down(box.min.z - s)};
-        boxes[k].box.max = {round_up(box.max.x + s), round_up(box.max.y + s), round_up(box.max.z + s)};
-        boxes[k].primitive = static_cast<std::uint32_t>(i);
+        boxes[k] = boxed_primitive(surface.primitives[k], surface.points.data(), origin,
+                                   static_cast<std::uint32_t>(i));
       },
       16384);
   return boxes;
@@ -69,19 +64,32 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   const Box3d box = bounds(surface);
   if (!box.empty()) origin_ = box.centre();
   reach_ = round_up(length(box.extent()) * 0.5);
-  std::vector<BoxedPrimitive> boxes = boxed(device, surface, origin_);
-  SplitTree tree = split_into_nodes(device, boxes);
+  for (const Primitive& p : surface.primitives) greatest_sag_ = std::max(greatest_sag_, p.sag);
+  fan_first_ = {device, std::move(surface.fan_first)};
+  fan_directions_ = {device, std::move(surface.fan_directions)};
+  if (!device.has_own_memory() || !take(build_there(device, surface, origin_))) build_here(surface);
+}
+
+bool Bvh::take(std::optional<TreeThere> tree) {
+  if (!tree) return false;
+  nodes_ = std::move(tree->nodes);
+  leaves_ = std::move(tree->leaves);
+  primitives_ = std::move(tree->primitives);
+  points_ = std::move(tree->points);
+  return true;
+}
+
+void Bvh::build_here(FacetSurface& surface) {
+  std::vector<BoxedPrimitive> boxes = boxed(device_, surface, origin_);
+  SplitTree tree = split_into_nodes(device_, boxes);
   reorder(surface, boxes);
   boxes = {};
   renumber_points(surface);
-  add_cones(device, surface, origin_, tree);
-  for (const Primitive& p : surface.primitives) greatest_sag_ = std::max(greatest_sag_, p.sag);
-  nodes_ = {device, std::move(tree.nodes)};
-  leaves_ = {device, std::move(tree.leaves)};
-  primitives_ = {device, std::move(surface.primitives)};
-  points_ = {device, std::move(surface.points)};
-  fan_first_ = {device, std::move(surface.fan_first)};
-  fan_directions_ = {device, std::move(surface.fan_directions)};
+  add_cones(device_, surface, origin_, tree);
+  nodes_ = {device_, std::move(tree.nodes)};
+  leaves_ = {device_, std::move(tree.leaves)};
+  primitives_ = {device_, std::move(surface.primitives)};
+  points_ = {device_, std::move(surface.points)};
 }
 
 BvhView Bvh::view() const {

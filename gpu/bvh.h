@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -64,9 +65,11 @@ struct BvhView {
   }
 };
 
+struct TreeThere;
+
 class Bvh {
  public:
-  // Built on the CPU by binned surface area heuristic (Wald, On fast Construction of SAH-based Bounding
+  // Built by binned surface area heuristic (Wald, On fast Construction of SAH-based Bounding
   // Volume Hierarchies, 2007), eight children at once; the same tree for any number of threads.
   Bvh(const Device& device, FacetSurface surface);
 
@@ -77,6 +80,9 @@ class Bvh {
   std::vector<std::uint32_t> order() const;
 
  private:
+  bool take(std::optional<TreeThere> tree);
+  void build_here(FacetSurface& surface);
+
   Device device_;
   Buffer<BvhNode> nodes_;
   Buffer<BvhLeaf> leaves_;

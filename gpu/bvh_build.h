@@ -1,6 +1,7 @@
 // The steps of building a tree: split boxes into nodes, then give every child its cone and half-space.
 #pragma once
 
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -35,10 +36,27 @@ SplitTree split_into_nodes(const Device& device, std::vector<BoxedPrimitive>& bo
 // Fills axis, offset and cone of every child. `surface.primitives` must be in the order of the tree.
 void add_cones(const Device& device, const FacetSurface& surface, const Vec3d& origin, SplitTree& tree);
 
-inline float round_down(double x) {
-  const auto f = static_cast<float>(x);
-  return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+GABARIT_HD inline float next_below(float x) {
+  if (x == 0) return -std::numeric_limits<float>::denorm_min();
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  return std::bit_cast<float>(x > 0 ? bits - 1 : bits + 1);
 }
-inline float round_up(double x) { return -round_down(-x); }
+GABARIT_HD inline float next_above(float x) { return -next_below(-x); }
+GABARIT_HD inline float round_down(double x) {
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) > x ? next_below(f) : f;
+}
+GABARIT_HD inline float round_up(double x) { return -round_down(-x); }
+
+// `number`: of the primitive.
+GABARIT_HD inline BoxedPrimitive boxed_primitive(const Primitive& p, const Vec3d* points, const Vec3d& origin,
+                                                 std::uint32_t number) {
+  Box3d box;
+  for (std::size_t c = 0; c < (p.is_facet() ? 3U : 2U); ++c) box.add(points[p.corner[c]] - origin);
+  const auto s = static_cast<double>(p.sag);
+  return {{{round_down(box.min.x - s), round_down(box.min.y - s), round_down(box.min.z - s)},
+           {round_up(box.max.x + s), round_up(box.max.y + s), round_up(box.max.z + s)}},
+          number};
+}
 
 }  // namespace gabarit

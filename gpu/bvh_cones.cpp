@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "gpu/bvh_build.h"
+#include "gpu/normal_cone.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -12,33 +13,20 @@ struct Cone {
   float cosine = -1;
 };
 
-Vec3d to_double(const Vec3f& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
-// Zero when the normals have no common side: no cone and no half-space will help then.
-Vec3f mean_normal(std::span<const Primitive> primitives) {
-  Vec3d sum;
-  for (const Primitive& p : primitives) sum += to_double(p.normal);
-  if (length(sum) < 0.2 * static_cast<double>(primitives.size())) return {};
-  const Vec3d axis = normalized(sum);
-  return {static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)};
-}
-
 Cone cone_around(const FacetSurface& surface, std::span<const Primitive> primitives, const Vec3d& origin) {
   Cone cone;
-  cone.axis = mean_normal(primitives);
+  NormalSum normals;
+  for (const Primitive& p : primitives) normals.add(p.normal);
+  cone.axis = mean_normal(normals, static_cast<std::uint32_t>(primitives.size()));
   if (cone.axis == Vec3f{}) return cone;
   const Vec3d axis = to_double(cone.axis);
-  double least = std::numeric_limits<double>::infinity();
-  double cosine = 1;
+  cone.offset = std::numeric_limits<float>::infinity();
+  cone.cosine = round_down(1 - 1e-6);
   for (const Primitive& p : primitives) {
-    for (std::size_t i = 0; i < (p.is_facet() ? 3U : 2U); ++i)
-      least = std::min(least, dot(axis, surface.points[p.corner[i]] - origin) - static_cast<double>(p.sag));
-    cosine = p.is_facet() ? std::min(cosine, dot(axis, to_double(p.normal))) : -1;
+    const NormalCone own = cone_of(p, surface.points.data(), origin, axis);
+    cone.offset = std::min(cone.offset, own.offset);
+    cone.cosine = std::min(cone.cosine, own.cosine);
   }
-  cone.offset = round_down(least);
-  cone.cosine = cosine > 0 ? round_down(cosine - 1e-6) : -1;  // a cone wider than a half-space culls nothing
   return cone;
 }
 

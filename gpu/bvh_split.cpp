@@ -3,16 +3,11 @@
 #include <utility>
 
 #include "gpu/bvh_cut.h"
+#include "gpu/bvh_limits.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
 namespace {
-
-// What one node can hold in leaves that are not quite full; parts of this size are not split between nodes.
-constexpr std::uint32_t bottom_size = 48;
-constexpr std::uint32_t usual_leaf_size = 6;
-// From this depth on ranges are halved by count: no input makes the tree deeper than the queries' stacks.
-constexpr int greatest_sah_depth = 14;
 
 struct Range {
   std::uint32_t begin = 0, end = 0;
@@ -37,6 +32,13 @@ class Splitter {
 
   std::span<const BoxedPrimitive> boxes(const Range& range) const {
     return std::span(*boxes_).subspan(range.begin, range.count());
+  }
+
+  // In leaves, so that the tree does not depend on how ranges were partitioned.
+  void order_by_primitive(const Range& range) {
+    const auto begin = boxes_->begin() + range.begin;
+    std::sort(begin, begin + range.count(),
+              [](const BoxedPrimitive& a, const BoxedPrimitive& b) { return a.primitive < b.primitive; });
   }
 
   // Up to eight parts of a range, in order: all of them leaves when they can be.
@@ -193,6 +195,7 @@ void add_node(Splitter& splitter, const Range& range, int depth, SplitTree& tree
     for (int k = 0; k < 3; ++k) node.lo[k][slot] = part.box.min[k], node.hi[k][slot] = part.box.max[k];
     ranges[static_cast<std::size_t>(slot)] = {part.begin, part.end};
     if (part.count() <= leaf_width) {
+      splitter.order_by_primitive(part);
       node.child[slot] = leaf_flag | static_cast<std::uint32_t>(tree.leaves.size());
       tree.leaves.push_back(packed(splitter.boxes(part), part.begin));
     } else {

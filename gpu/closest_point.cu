@@ -1,5 +1,5 @@
+#include "gpu/answer_queries.h"
 #include "gpu/closest_point.h"
-#include "gpu/parallel_for.h"
 #include "gpu/traverse.h"
 #include "gpu/triangle.h"
 
@@ -70,15 +70,9 @@ struct ClosestBatch {
 }  // namespace
 
 void closest_points(const Bvh& tree, std::span<const Vec3d> points, std::span<ClosestPoint> closest) {
-  const auto n = static_cast<std::int64_t>(points.size());
-  if (tree.device().kind == Device::Kind::cpu) {
-    parallel_for(tree.device(), n, ClosestBatch{tree.view(), view(points), view(closest)}, 512);
-    return;
-  }
-  const Buffer<Vec3d> asked(tree.device(), points);
-  Buffer<ClosestPoint> answers(tree.device(), std::vector<ClosestPoint>(points.size()));
-  parallel_for(tree.device(), n, ClosestBatch{tree.view(), asked.view(), answers.view()});
-  answers.read(closest);
+  answer_queries(tree, points, closest, 1, 512, [&](View<const Vec3d> asked, View<ClosestPoint> answers) {
+    return ClosestBatch{tree.view(), asked, answers};
+  });
 }
 
 }  // namespace gabarit

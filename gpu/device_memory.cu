@@ -1,5 +1,8 @@
-#include <stdexcept>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
 
+#include "gpu/device_error.h"
 #include "gpu/device_memory.h"
 #include "gpu/qualifiers.h"
 
@@ -7,23 +10,44 @@ namespace gabarit {
 
 #if GABARIT_CUDA_COMPILER
 
-void check_cuda(cudaError_t status) {
-  if (status != cudaSuccess) throw std::runtime_error(std::string("CUDA: ") + cudaGetErrorString(status));
+// device_error.cpp knows them by number.
+static_assert(cudaErrorMemoryAllocation == 2 && cudaErrorDevicesUnavailable == 46 &&
+              cudaErrorNoKernelImageForDevice == 209 && cudaErrorECCUncorrectable == 214 &&
+              cudaErrorInvalidPtx == 218 && cudaErrorUnsupportedPtxVersion == 222 &&
+              cudaErrorNvlinkUncorrectable == 220 && cudaErrorContained == 226 &&
+              cudaErrorIllegalAddress == 700 && cudaErrorLaunchTimeout == 702 &&
+              cudaErrorHardwareStackError == 714 && cudaErrorIllegalInstruction == 715 &&
+              cudaErrorMisalignedAddress == 716 && cudaErrorInvalidAddressSpace == 717 &&
+              cudaErrorInvalidPc == 718 && cudaErrorLaunchFailure == 719 && cudaErrorUnknown == 999);
+
+// A lost device may not tell its name any more.
+static std::string name_of(int index) {
+  const std::string number = "CUDA device " + std::to_string(index);
+  cudaDeviceProp properties{};
+  if (cudaGetDeviceProperties(&properties, index) != cudaSuccess) return number;
+  return number + " (" + properties.name + ")";
 }
 
-DeviceMemory::DeviceMemory(const Device& device, std::size_t bytes) {
-  check_cuda(cudaSetDevice(device.index));
+void check_cuda(int status, int index) {
+  if (status == cudaSuccess) return;
+  // An error that does not last must not be found again by the next call.
+  static_cast<void>(cudaGetLastError());
+  throw_device_error(status, name_of(index), cudaGetErrorString(static_cast<cudaError_t>(status)));
+}
+
+static void* allocate_there(const Device& device, std::size_t bytes) {
   void* data = nullptr;
-  check_cuda(cudaMalloc(&data, bytes > 0 ? bytes : 1));
-  data_ = std::shared_ptr<void>(data, [](void* p) { cudaFree(p); });
+  check_cuda(cudaSetDevice(device.index), device.index);
+  check_cuda(cudaMalloc(&data, bytes), device.index);
+  return data;
 }
 
-void DeviceMemory::write(const void* from, std::size_t bytes) {
-  check_cuda(cudaMemcpy(data_.get(), from, bytes, cudaMemcpyHostToDevice));
-}
+// A device that is lost has freed it already.
+static void free_there(const Device&, void* data) { static_cast<void>(cudaFree(data)); }
 
-void DeviceMemory::read(void* into, std::size_t bytes) const {
-  check_cuda(cudaMemcpy(into, data_.get(), bytes, cudaMemcpyDeviceToHost));
+static void copy_there(const Device& device, void* to, const void* from, std::size_t bytes) {
+  check_cuda(cudaSetDevice(device.index), device.index);
+  check_cuda(cudaMemcpy(to, from, bytes, cudaMemcpyDefault), device.index);
 }
 
 std::vector<std::string> cuda_devices() {
@@ -32,21 +56,68 @@ std::vector<std::string> cuda_devices() {
   std::vector<std::string> names;
   for (int i = 0; i < count; ++i) {
     cudaDeviceProp properties{};
-    check_cuda(cudaGetDeviceProperties(&properties, i));
-    names.emplace_back(properties.name);
+    const bool known = cudaGetDeviceProperties(&properties, i) == cudaSuccess;
+    names.emplace_back(known ? properties.name : "does not answer");
   }
   return names;
 }
 
 #else
 
-DeviceMemory::DeviceMemory(const Device&, std::size_t) {
-  throw std::runtime_error("this build has no CUDA support");
+static void* allocate_there(const Device&, std::size_t) {
+  throw DeviceError("this build has no CUDA support");
 }
-void DeviceMemory::write(const void*, std::size_t) {}
-void DeviceMemory::read(void*, std::size_t) const {}
+static void free_there(const Device&, void*) {}
+static void copy_there(const Device&, void*, const void*, std::size_t) {}
 std::vector<std::string> cuda_devices() { return {}; }
 
 #endif
+
+static void* allocate(const Device& device, std::size_t bytes) {
+  if (device.kind == Device::Kind::cuda) return allocate_there(device, bytes);
+  constexpr std::size_t alignment = 256;  // that of CUDA
+  void* const data = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  if (data == nullptr) throw OutOfDeviceMemory("the simulated device has not enough free memory");
+  return data;
+}
+
+static void release(const Device& device, void* data, std::size_t bytes) {
+  device.kind == Device::Kind::cuda ? free_there(device, data) : std::free(data);
+  if (device.limit != nullptr) device.limit->give_back(bytes);
+}
+
+bool MemoryLimit::take(std::size_t bytes) {
+  std::size_t left = left_.load();
+  do {
+    if (left < bytes) return false;
+  } while (!left_.compare_exchange_weak(left, left - bytes));
+  return true;
+}
+
+DeviceMemory::DeviceMemory(const Device& device, std::size_t bytes) : device_(device) {
+  bytes = bytes > 0 ? bytes : 1;
+  if (device.limit != nullptr && !device.limit->take(bytes))
+    throw OutOfDeviceMemory("the memory limit of the device is reached");
+  void* data = nullptr;
+  try {
+    data = allocate(device, bytes);
+  } catch (...) {
+    if (device.limit != nullptr) device.limit->give_back(bytes);
+    throw;
+  }
+  data_ = std::shared_ptr<void>(data, [device, bytes](void* p) { release(device, p, bytes); });
+}
+
+void DeviceMemory::write(const void* from, std::size_t bytes) {
+  if (bytes == 0) return;
+  if (device_.kind == Device::Kind::cuda) return copy_there(device_, data_.get(), from, bytes);
+  std::memcpy(data_.get(), from, bytes);
+}
+
+void DeviceMemory::read(void* into, std::size_t bytes) const {
+  if (bytes == 0) return;
+  if (device_.kind == Device::Kind::cuda) return copy_there(device_, into, data_.get(), bytes);
+  std::memcpy(into, data_.get(), bytes);
+}
 
 }  // namespace gabarit

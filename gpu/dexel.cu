@@ -138,17 +138,15 @@ Dexels offset_dexels(const Device& device, std::span<const Point2> points, std::
   std::vector<std::int64_t> count(static_cast<std::size_t>(lines.count));
   // Few lines run in and out of a figure often: more room is made when one needs it.
   for (std::int64_t capacity = 16;; capacity *= 4) {
-    std::vector<Dexel> rooms(count.size() * static_cast<std::size_t>(capacity));
-    Buffer<Dexel> dexels(device, rooms);
-    Buffer<std::int64_t> counts(device, count);
+    auto dexels = Buffer<Dexel>::of_size(device, lines.count * capacity);
+    auto counts = Buffer<std::int64_t>::of_size(device, lines.count);
     parallel_for(device, lines.count,
                  UniteLine{features.view(), first.view(), numbers.view(), lines, radius, capacity,
                            dexels.view(), counts.view()},
                  8);
     counts.read(count);
     if (*std::min_element(count.begin(), count.end()) < 0) continue;
-    dexels.read(rooms);
-    return gathered(rooms, count, capacity);
+    return gathered(dexels.read(), count, capacity);
   }
 }
 

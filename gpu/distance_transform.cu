@@ -102,11 +102,11 @@ struct RowDistances {
 
 void distance_transform(const Device& device, const CellGrid& grid, std::span<const std::uint8_t> marked,
                         std::span<float> distance) {
-  const bool cpu = device.kind == Device::Kind::cpu;
+  const bool cpu = !device.has_own_memory();
   // A processor core takes many columns and rows at once, to use its caches; a GPU has threads for each.
   const std::int64_t width = cpu ? 64 : 1;
   const std::int64_t slots = cpu ? std::min<std::int64_t>(grid.rows, 64) : grid.rows;
-  Buffer<Parabola> envelopes(device, std::vector<Parabola>(static_cast<std::size_t>(slots * grid.columns)));
+  auto envelopes = Buffer<Parabola>::of_size(device, slots * grid.columns);
   const auto run = [&](View<const std::uint8_t> marks, View<float> out) {
     parallel_for(device, (grid.columns + width - 1) / width,
                  ColumnCounts{marks, out, grid.columns, grid.rows, width}, 1);
@@ -117,7 +117,7 @@ void distance_transform(const Device& device, const CellGrid& grid, std::span<co
   };
   if (cpu) return run(view(marked), view(distance));
   const Buffer<std::uint8_t> marks(device, marked);
-  Buffer<float> answers(device, std::vector<float>(distance.size()));
+  auto answers = Buffer<float>::of_size(device, grid.count());
   run(marks.view(), answers.view());
   answers.read(distance);
 }

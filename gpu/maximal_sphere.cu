@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "gpu/answer_queries.h"
 #include "gpu/maximal_sphere.h"
 #include "gpu/maximal_sphere_kernel.h"
-#include "gpu/parallel_for.h"
 #include "gpu/sphere_lower_bound.h"
 #include "gpu/traverse.h"
 
@@ -52,15 +52,10 @@ void maximal_spheres(const Bvh& tree, const SphereOptions& options, std::span<co
   SphereOptions bounded = options;
   bounded.greatest_radius =
       std::min(options.greatest_radius, 4.0 * static_cast<double>(view_of_tree.reach) + 1e-30);
-  const auto runs = (static_cast<std::int64_t>(queries.size()) + SphereRuns::length - 1) / SphereRuns::length;
-  if (tree.device().kind == Device::Kind::cpu) {
-    parallel_for(tree.device(), runs, SphereRuns{view_of_tree, bounded, view(queries), view(contacts)}, 16);
-    return;
-  }
-  const Buffer<SphereQuery> asked(tree.device(), queries);
-  Buffer<SphereContact> answers(tree.device(), std::vector<SphereContact>(queries.size()));
-  parallel_for(tree.device(), runs, SphereRuns{view_of_tree, bounded, asked.view(), answers.view()}, 16);
-  answers.read(contacts);
+  answer_queries(tree, queries, contacts, SphereRuns::length, 16,
+                 [&](View<const SphereQuery> asked, View<SphereContact> answers) {
+                   return SphereRuns{view_of_tree, bounded, asked, answers};
+                 });
 }
 
 }  // namespace gabarit

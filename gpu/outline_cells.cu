@@ -108,33 +108,33 @@ constexpr std::int64_t grain = 16384;
 
 OutlineCells::OutlineCells(const Device& device, const PlanMesh& mesh, const CellGrid& grid)
     : device_(device), grid_(grid), mesh_(mesh) {
-  if (device.kind == Device::Kind::cuda) {
+  if (device.has_own_memory()) {
     points_ = Buffer<Vec3d>(device, std::span(mesh.points.data, static_cast<std::size_t>(mesh.points.size)));
     facets_ = Buffer<std::array<std::uint32_t, 3>>(
         device, std::span(mesh.facets.data, static_cast<std::size_t>(mesh.facets.size)));
     mesh_.points = std::as_const(points_).view();
     mesh_.facets = std::as_const(facets_).view();
   }
-  at_ = Buffer<std::int32_t>(device, std::vector<std::int32_t>(static_cast<std::size_t>(mesh.points.size)));
+  at_ = Buffer<std::int32_t>::of_size(device, mesh.points.size);
   parallel_for(device, mesh.points.size, CellOfPoint{mesh_, grid, at_.view()}, grain);
 }
 
 void OutlineCells::mark(std::span<std::uint8_t> cells) const {
   const Outlines outlines{mesh_, grid_, at_.view()};
-  if (device_.kind == Device::Kind::cpu)
+  if (!device_.has_own_memory())
     return parallel_for(device_, mesh_.facets.size, Mark{outlines, view(cells)}, grain);
-  Buffer<std::uint8_t> marked(device_, std::vector<std::uint8_t>(cells.begin(), cells.end()));
+  Buffer<std::uint8_t> marked(device_, std::span<const std::uint8_t>(cells));
   parallel_for(device_, mesh_.facets.size, Mark{outlines, marked.view()});
   marked.read(cells);
 }
 
 void OutlineCells::near(std::span<const float> distance, double most, std::span<std::uint8_t> facets) const {
   const Outlines outlines{mesh_, grid_, at_.view()};
-  if (device_.kind == Device::Kind::cpu)
+  if (!device_.has_own_memory())
     return parallel_for(device_, mesh_.facets.size, Near{outlines, view(distance), most, view(facets)},
                         grain);
   const Buffer<float> values(device_, distance);
-  Buffer<std::uint8_t> answers(device_, std::vector<std::uint8_t>(facets.size()));
+  auto answers = Buffer<std::uint8_t>::of_size(device_, mesh_.facets.size);
   parallel_for(device_, mesh_.facets.size, Near{outlines, values.view(), most, answers.view()});
   answers.read(facets);
 }

@@ -2,12 +2,11 @@
 // `void operator()(std::int64_t i) const`, free of side effects on other indices: the result does not depend
 // on the order. On a CPU every kernel is compiled for several sets of vector instructions, with everything it
 // calls inlined, and the widest is picked when it starts; without contraction all give the same bits. A
-// kernel runs on CUDA when its source file is compiled by nvcc (the .cu files).
+// kernel runs on CUDA when its source file is compiled by nvcc (the .cu files); others go to device.host().
 #pragma once
 
 #include <cstdint>
 #include <stdexcept>
-#include <string>
 
 #include "gpu/device.h"
 #include "gpu/qualifiers.h"
@@ -47,29 +46,46 @@ auto chunk_runner(VectorSet wanted) {
   return &run_portable<Kernel>;
 }
 
+// A CUDA grid has fewer than 2^31 blocks: more indices than these go in several launches.
+constexpr int indices_in_a_block = 128;
+constexpr std::int64_t most_indices_in_a_launch = indices_in_a_block * ((std::int64_t{1} << 31) - 1);
+
+// Calls launch(begin, end, blocks) for the parts of [0, n) that one launch takes.
+template <class Launch>
+void in_launches(std::int64_t n, Launch&& launch) {
+  for (std::int64_t begin = 0; begin < n; begin += most_indices_in_a_launch) {
+    const std::int64_t end = n - begin > most_indices_in_a_launch ? begin + most_indices_in_a_launch : n;
+    launch(begin, end, static_cast<unsigned>((end - begin + indices_in_a_block - 1) / indices_in_a_block));
+  }
+}
+
 #if GABARIT_CUDA_COMPILER
+// Throws DeviceError unless the status (a cudaError_t) is a success.
+void check_cuda(int status, int device);
+
 template <class Kernel>
-__global__ void cuda_kernel(Kernel kernel, std::int64_t n) {
-  const std::int64_t i = static_cast<std::int64_t>(blockIdx.x) * blockDim.x + threadIdx.x;
-  if (i < n) kernel(i);
+__global__ void cuda_kernel(Kernel kernel, std::int64_t begin, std::int64_t end) {
+  const std::int64_t i = begin + static_cast<std::int64_t>(blockIdx.x) * blockDim.x + threadIdx.x;
+  if (i < end) kernel(i);
 }
 template <class Kernel>
 void run_cuda(const Device& device, std::int64_t n, const Kernel& kernel) {
-  constexpr int block = 128;
-  if (n <= 0) return;
-  cudaSetDevice(device.index);
-  cuda_kernel<<<static_cast<unsigned>((n + block - 1) / block), block>>>(kernel, n);
-  if (const cudaError_t status = cudaDeviceSynchronize(); status != cudaSuccess)
-    throw std::runtime_error(std::string("CUDA: ") + cudaGetErrorString(status));
+  check_cuda(cudaSetDevice(device.index), device.index);
+  in_launches(n, [&](std::int64_t begin, std::int64_t end, unsigned blocks) {
+    cuda_kernel<<<blocks, indices_in_a_block>>>(kernel, begin, end);
+    check_cuda(cudaGetLastError(), device.index);
+  });
+  check_cuda(cudaDeviceSynchronize(), device.index);
 }
 #else
 template <class Kernel>
 void run_cuda(const Device&, std::int64_t, const Kernel&) {
-  throw std::runtime_error("this build has no CUDA support");
+  throw std::logic_error("a kernel that was not compiled for CUDA cannot run there");
 }
 #endif
 
-// Throws what a kernel throws. `grain`: how many indices are worth a hand-over to another thread.
+// Throws what a kernel throws, and DeviceError. `grain`: how many indices are worth a hand-over to another
+// thread.
 template <class Kernel>
 void parallel_for(const Device& device, std::int64_t n, const Kernel& kernel, std::int64_t grain = 1024) {
   if (device.kind == Device::Kind::cuda) return run_cuda(device, n, kernel);

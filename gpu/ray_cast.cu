@@ -1,4 +1,4 @@
-#include "gpu/parallel_for.h"
+#include "gpu/answer_queries.h"
 #include "gpu/ray_cast.h"
 #include "gpu/traverse.h"
 
@@ -103,15 +103,9 @@ struct RayBatch {
 }  // namespace
 
 void cast_rays(const Bvh& tree, std::span<const Ray> rays, std::span<RayHit> hits) {
-  const auto n = static_cast<std::int64_t>(rays.size());
-  if (tree.device().kind == Device::Kind::cpu) {
-    parallel_for(tree.device(), n, RayBatch{tree.view(), view(rays), view(hits)}, 512);
-    return;
-  }
-  const Buffer<Ray> asked(tree.device(), rays);
-  Buffer<RayHit> answers(tree.device(), std::vector<RayHit>(rays.size()));
-  parallel_for(tree.device(), n, RayBatch{tree.view(), asked.view(), answers.view()});
-  answers.read(hits);
+  answer_queries(tree, rays, hits, 1, 512, [&](View<const Ray> asked, View<RayHit> answers) {
+    return RayBatch{tree.view(), asked, answers};
+  });
 }
 
 }  // namespace gabarit

@@ -4,6 +4,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "gpu/device_error.h"
 #include "rules/judge_field.h"
 #include "rules/region.h"
 #include "rules/setup.h"
@@ -137,6 +138,8 @@ RuleResult attempt(Run& run, const Rule& rule, std::size_t ruleset) {
     RuleResult result = fresh(rule, ruleset);
     examine(run, result);
     return result;
+  } catch (const DeviceError&) {
+    throw;  // of all rules, not of this one
   } catch (const std::bad_alloc&) {
     return not_run(rule, ruleset, "There was not enough memory.");
   } catch (const std::exception& error) {

@@ -22,7 +22,8 @@ struct EngineOptions {
 Diagnostics check_selection(std::span<const RuleSet> rulesets, std::span<const std::string> only);
 
 // A rule that throws becomes not_run with the reason; the others still run. An empty region is
-// not_applicable. Expects check_selection() to have found nothing.
+// not_applicable. Throws DeviceError when the device fails: what it computed before is not to be trusted.
+// Expects check_selection() to have found nothing.
 Outcome run(const Model& model, std::vector<RuleSet> rulesets, const EngineOptions& options = {});
 
 }  // namespace gabarit

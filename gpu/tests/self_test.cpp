@@ -1,14 +1,18 @@
 // Needs nothing but a compiler: the tree against brute force, every set of vector instructions and every CUDA
-// device against the portable code, bit for bit. Ends with 1 and a sentence for each thing that is wrong.
+// device against the portable code, bit for bit, and a table of times. Ends with 1 and a sentence for each
+// thing that is wrong. Usage: gpu_self_test [FACETS]
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
+#include "gpu/bumpy_ball.h"
 #include "gpu/closest_point.h"
 #include "gpu/maximal_sphere.h"
 #include "gpu/maximal_sphere_kernel.h"
+#include "gpu/query_trials.h"
 #include "gpu/ray_cast.h"
-#include "gpu/tests/bumpy_surface.h"
 #include "gpu/triangle.h"
 
 namespace gabarit {
@@ -134,8 +138,46 @@ void every_device_gives_the_same_bits(const FacetSurface& surface) {
   const auto devices = cuda_devices();
   for (std::size_t i = 0; i < devices.size(); ++i) {
     expect(same(ask(Device::cuda(static_cast<int>(i)), surface), reference), "CUDA device " + devices[i]);
-    std::printf("compared with %s\n", devices[i].c_str());
   }
+  expect(same(ask(Device::simulated(2), surface), reference), "the simulated device");
+}
+
+// The least of three runs after one that warms up, in milliseconds.
+double milliseconds(const PreparedTrial& trial) {
+  trial.run();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    trial.run();
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    least = std::min(least, took.count());
+  }
+  return least;
+}
+
+void print_row(const QueryTrial& trial, const FacetSurface& surface, bool with_cuda) {
+  const PreparedTrial here = trial.prepare(Device::cpu(), surface);
+  const double on_cpu = milliseconds(here);
+  std::printf("%-20s %9zu %10.2f", trial.name, surface.primitives.size(), on_cpu);
+  if (!with_cuda) {
+    std::printf(" %10s %8s %s\n", "-", "-", "-");
+    return;
+  }
+  const PreparedTrial there = trial.prepare(Device::cuda(), surface);
+  const double on_cuda = milliseconds(there);
+  const bool equal = here.bits() == there.bits();
+  std::printf(" %10.2f %8.1f %s\n", on_cuda, on_cpu / on_cuda, equal ? "yes" : "NO");
+  expect(equal, std::string(trial.name) + " on CUDA and on the CPU");
+}
+
+void print_table(const FacetSurface& surface) {
+  const auto devices = cuda_devices();
+  if (devices.empty())
+    std::printf("No CUDA device can be used here: its columns are empty.\n");
+  else
+    std::printf("CUDA: %s. Times with the copies to and from the device.\n", devices.front().c_str());
+  std::printf("%-20s %9s %10s %10s %8s %s\n", "query", "facets", "CPU ms", "CUDA ms", "ratio", "bits equal");
+  for (const QueryTrial& trial : query_trials()) print_row(trial, surface, !devices.empty());
 }
 
 void an_empty_surface_has_no_contacts() {
@@ -146,17 +188,29 @@ void an_empty_surface_has_no_contacts() {
   expect(contact.primitive == SphereContact::none, "an empty surface has a contact");
 }
 
-}  // namespace
-}  // namespace gabarit
-
-int main() {
-  using namespace gabarit;
+void test_all(double facets) {
   for (const FacetSurface& surface : {bumpy_ball(30, 40, 10, 0.2), bumpy_ball(24, 40, 10, 0),
                                       bumpy_ball(12, 16, 0.5, 0.1, {9000, -4000, 250})}) {
     the_tree_finds_what_brute_force_finds(surface);
     every_device_gives_the_same_bits(surface);
   }
   an_empty_surface_has_no_contacts();
+  const int side = static_cast<int>(std::sqrt(facets / 2));
+  print_table(bumpy_ball(side, side, 10, 0.2));
+}
+
+}  // namespace
+}  // namespace gabarit
+
+int main(int argc, char** argv) {
+  using namespace gabarit;
+  const double facets = argc > 1 ? std::atof(argv[1]) : 20'000;
+  if (!(facets >= 32 && facets <= 1e8)) return std::printf("usage: gpu_self_test [FACETS]\n"), 2;
+  try {
+    test_all(facets);
+  } catch (const std::exception& error) {
+    expect(false, error.what());
+  }
   std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures);
   return failures == 0 ? 0 : 1;
 }

@@ -55,7 +55,7 @@ struct SnapVertices {
 std::vector<ScreenPoint> on_screen(const TriangleMesh& mesh, const Screen& screen, const Device& device) {
   std::vector<ScreenPoint> points(mesh.vertices.size());
   const SnapVertices snap{mesh.vertices.data(), &screen, points.data()};
-  const Device cpu{Device::Kind::cpu, device.threads, 0, device.vectors};
+  const Device cpu = device.host();
   parallel_for(cpu, static_cast<std::int64_t>(points.size()), snap, 1 << 14);
   return points;
 }

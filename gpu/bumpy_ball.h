@@ -1,4 +1,4 @@
-// A closed bumpy ball of any number of facets, for tests and benchmarks that have no other folder at hand.
+// A closed bumpy ball of any number of facets, to try devices, tests and benchmarks on.
 #pragma once
 
 #include <cmath>

@@ -1,0 +1,185 @@
+#include "gpu/query_trials.h"
+
+#include <array>
+#include <bit>
+#include <memory>
+#include <utility>
+
+#include "gpu/box.h"
+#include "gpu/closest_point.h"
+#include "gpu/dexel.h"
+#include "gpu/distance_transform.h"
+#include "gpu/maximal_sphere.h"
+#include "gpu/outline_cells.h"
+#include "gpu/ray_cast.h"
+
+namespace gabarit {
+namespace {
+
+// Padding would not compare.
+class Bits {
+ public:
+  Bits& add(double x) { return words_.push_back(std::bit_cast<std::uint64_t>(x)), *this; }
+  Bits& add(const Vec3d& p) { return add(p.x).add(p.y).add(p.z); }
+  Bits& add(std::uint32_t n) { return words_.push_back(n), *this; }
+  std::vector<std::uint64_t> take() && { return std::move(words_); }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+void add(Bits& bits, const SphereContact& c) {
+  bits.add(c.radius).add(c.lower).add(c.upper).add(c.contact).add(c.primitive);
+}
+void add(Bits& bits, const RayHit& hit) { bits.add(hit.distance).add(hit.facing).add(hit.facet); }
+void add(Bits& bits, const ClosestPoint& c) { bits.add(c.distance).add(c.point).add(c.facet); }
+void add(Bits& bits, const Dexel& d) { bits.add(d.from).add(d.to); }
+void add(Bits& bits, float x) { bits.add(static_cast<double>(x)); }
+void add(Bits& bits, std::uint8_t x) { bits.add(std::uint32_t{x}); }
+void add(Bits& bits, std::uint32_t x) { bits.add(x); }
+
+template <class T>
+std::vector<std::uint64_t> bits_of(const std::vector<T>& all) {
+  Bits bits;
+  for (const T& x : all) add(bits, x);
+  return std::move(bits).take();
+}
+
+struct Facet {
+  Vec3d middle, inwards;
+  std::uint32_t id;
+};
+
+// In the order of the tree, as checks ask: neighbours lie close together.
+std::vector<Facet> facets_of(const FacetSurface& surface, const Bvh& tree) {
+  std::vector<Facet> by_id(surface.primitives.size());
+  for (const Primitive& p : surface.primitives) {
+    const Vec3d sum = surface.points[p.corner[0]] + surface.points[p.corner[1]] + surface.points[p.corner[2]];
+    const Vec3d n{static_cast<double>(p.normal.x), static_cast<double>(p.normal.y),
+                  static_cast<double>(p.normal.z)};
+    by_id[p.id] = {sum / 3.0, normalized(-n), p.id};
+  }
+  std::vector<Facet> facets;
+  for (const std::uint32_t id : tree.order()) facets.push_back(by_id[id]);
+  return facets;
+}
+
+// Queries made of the facets, asked of a tree that is built before.
+template <class Query, class Answer, class Make, class Ask>
+PreparedTrial asked_of_tree(const Device& device, const FacetSurface& surface, Make&& make, Ask&& ask) {
+  struct State {
+    Bvh tree;
+    std::vector<Query> queries;
+    std::vector<Answer> answers;
+  };
+  const auto state = std::make_shared<State>(State{Bvh(device, surface), {}, {}});
+  for (const Facet& facet : facets_of(surface, state->tree)) state->queries.push_back(make(facet));
+  state->answers.resize(state->queries.size());
+  return {[state, ask] { ask(state->tree, state->queries, state->answers); },
+          [state] { return bits_of(state->answers); }};
+}
+
+PreparedTrial spheres(const Device& device, const FacetSurface& surface) {
+  return asked_of_tree<SphereQuery, SphereContact>(
+      device, surface, [](const Facet& f) { return SphereQuery{f.middle, f.inwards, f.id, 0.01F, 0, 0}; },
+      [](const Bvh& tree, const auto& queries, auto& answers) {
+        maximal_spheres(tree, {.cos_separation = -0.5, .contact_floor = 1e-6}, queries, answers);
+      });
+}
+
+PreparedTrial rays(const Device& device, const FacetSurface& surface) {
+  return asked_of_tree<Ray, RayHit>(
+      device, surface,
+      [](const Facet& f) {
+        return Ray{f.middle, f.inwards, f.id, 1e-6};
+      },
+      [](const Bvh& tree, const auto& queries, auto& answers) { cast_rays(tree, queries, answers); });
+}
+
+PreparedTrial nearest(const Device& device, const FacetSurface& surface) {
+  return asked_of_tree<Vec3d, ClosestPoint>(
+      device, surface, [](const Facet& f) { return f.middle + 0.37 * f.inwards; },
+      [](const Bvh& tree, const auto& queries, auto& answers) { closest_points(tree, queries, answers); });
+}
+
+PreparedTrial tree(const Device& device, const FacetSurface& surface) {
+  const auto order = std::make_shared<std::vector<std::uint32_t>>();
+  return {[=, &surface] { *order = Bvh(device, surface).order(); }, [order] { return bits_of(*order); }};
+}
+
+// Room for the surface on about a million cells.
+CellGrid grid_over(const FacetSurface& surface) {
+  Box3d box;
+  for (const Vec3d& p : surface.points) box.add(p);
+  const double side = 1.1 * std::max(box.extent().x, box.extent().y) + 1e-9;
+  const Vec3d middle = box.centre();
+  return {{middle.x - side / 2, middle.y - side / 2}, side / 1000, 1001, 1001};
+}
+
+struct PlanState {
+  CellGrid grid;
+  std::vector<std::array<std::uint32_t, 3>> facets;
+  std::vector<std::uint8_t> cells;
+  std::vector<float> distance;
+
+  explicit PlanState(const FacetSurface& surface)
+      : grid(grid_over(surface)), cells(static_cast<std::size_t>(grid.count())), distance(cells.size()) {
+    for (const Primitive& p : surface.primitives) facets.push_back(p.corner);
+  }
+  PlanMesh mesh(const FacetSurface& surface) const {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    return {view(std::span(surface.points)), view(std::span(facets)), -all, all};
+  }
+  void mark(const Device& device, const FacetSurface& surface) {
+    std::fill(cells.begin(), cells.end(), std::uint8_t{0});
+    OutlineCells(device, mesh(surface), grid).mark(cells);
+  }
+};
+
+PreparedTrial raster(const Device& device, const FacetSurface& surface) {
+  const auto state = std::make_shared<PlanState>(surface);
+  return {[=, &surface] { state->mark(device, surface); }, [state] { return bits_of(state->cells); }};
+}
+
+PreparedTrial distances(const Device& device, const FacetSurface& surface) {
+  const auto state = std::make_shared<PlanState>(surface);
+  state->mark(device.host(), surface);
+  return {[=] { distance_transform(device, state->grid, state->cells, state->distance); },
+          [state] { return bits_of(state->distance); }};
+}
+
+PreparedTrial dexels(const Device& device, const FacetSurface& surface) {
+  struct State {
+    std::vector<Point2> points;
+    std::vector<PlanEdge> edges;
+    DexelLines lines;
+    double radius = 0;
+    Dexels found;
+  };
+  const auto state = std::make_shared<State>();
+  for (const Vec3d& p : surface.points) state->points.push_back({p.x, p.y});
+  for (std::size_t i = 1; i < state->points.size(); ++i) {
+    const Point2 a = state->points[i - 1], b = state->points[i];
+    if (i % 3 != 0 && !(a == b)) state->edges.push_back({a, b});
+  }
+  const CellGrid grid = grid_over(surface);
+  state->lines = {grid.origin.y, grid.size, grid.rows};
+  state->radius = 20 * grid.size;
+  return {
+      [=] { state->found = offset_dexels(device, state->points, state->edges, state->lines, state->radius); },
+      [state] { return bits_of(state->found.all); }};
+}
+
+constexpr std::array trials{QueryTrial{"tree build", tree},
+                            QueryTrial{"largest balls", spheres},
+                            QueryTrial{"rays", rays},
+                            QueryTrial{"closest points", nearest},
+                            QueryTrial{"outline raster", raster},
+                            QueryTrial{"distance transform", distances},
+                            QueryTrial{"dexels", dexels}};
+
+}  // namespace
+
+std::span<const QueryTrial> query_trials() { return trials; }
+
+}  // namespace gabarit
