@@ -6,7 +6,6 @@
 
 #include "checks/flood.h"
 #include "gpu/distance_transform.h"
-#include "gpu/outline_cells.h"
 
 namespace gabarit {
 
@@ -30,17 +29,18 @@ static CellGrid grid_around(const PlanProjection& plan, double smallest, double 
 ReachGrid::ReachGrid(const PlanProjection& plan, double smallest, double largest, double tolerance,
                      const Device& device)
     : grid_(grid_around(plan, smallest, largest)),
-      distance_(static_cast<std::size_t>(grid_.count())),
+      outlines_(device, plan.mesh(), grid_),
+      outline_distance_(static_cast<std::size_t>(grid_.count())),
+      distance_(outline_distance_.size()),
       reached_(plan.facet_count()) {
-  const OutlineCells outlines(device, plan.mesh(), grid_);
   std::vector<std::uint8_t> cells(distance_.size(), 0);
-  outlines.mark(cells);
-  distance_transform(device, grid_, cells, distance_);
+  outlines_.mark(cells);
+  distance_transform(device, grid_, cells, outline_distance_);
   // A place is free only if its distance is at least the radius; cell centres are off by a diagonal in all.
   // A hundredth of a cell more covers the rounding of single precision.
-  cells = flood(grid_, distance_, smallest - (diagonal + 0.01) * grid_.size);
+  cells = flood(grid_, outline_distance_, smallest - (diagonal + 0.01) * grid_.size);
   distance_transform(device, grid_, cells, distance_);
-  outlines.near(distance_, largest + tolerance + (diagonal + 0.51) * grid_.size, reached_);
+  outlines_.near(distance_, largest + tolerance + (diagonal + 0.51) * grid_.size, reached_);
 }
 
 // Places a quarter of a square apart lie in the same square or in neighbours, whose middles are at most a

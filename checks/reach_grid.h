@@ -7,6 +7,7 @@
 
 #include "checks/plan_projection.h"
 #include "gpu/cell_grid.h"
+#include "gpu/outline_cells.h"
 
 namespace gabarit {
 
@@ -23,8 +24,15 @@ class ReachGrid {
   double axis_gap(Point2 centre) const;
   double spacing() const { return grid_.size; }
 
+  const CellGrid& grid() const { return grid_; }
+  // By cell: from its centre to that of the nearest cell with a point of an outline, mm.
+  const std::vector<float>& outline_distance() const { return outline_distance_; }
+  const OutlineCells& outlines() const { return outlines_; }
+
  private:
   CellGrid grid_;
+  OutlineCells outlines_;
+  std::vector<float> outline_distance_;
   std::vector<float> distance_;  // from the cells that the axis can be in, mm between centres
   std::vector<std::uint8_t> reached_;
 };

@@ -3,8 +3,8 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <IGESCAFControl_Reader.hxx>
 #include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <TopExp_Explorer.hxx>
@@ -68,7 +68,7 @@ std::vector<OcctPart> sewn(const std::vector<OcctPart>& found) {
   return result;
 }
 
-std::string unit_of(const IGESCAFControl_Reader& reader) {
+std::string unit_of(const IGESControl_Reader& reader) {
   const auto content = Handle(IGESData_IGESModel)::DownCast(reader.WS()->Model());
   if (content.IsNull()) return "";
   const Handle(TCollection_HAsciiString) unit = content->GlobalSection().UnitName();
@@ -79,17 +79,12 @@ Diagnostics read(const std::filesystem::path& file, const LoadOptions& options, 
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   const Handle(OcctProgress) progress = new OcctProgress(options);
-  IGESCAFControl_Reader reader;
-  reader.SetNameMode(Standard_True);
-  reader.SetColorMode(Standard_False);
-  reader.SetLayerMode(Standard_False);
+  IGESControl_Reader reader;
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
     return {{.file = file.string(), .message = "is no IGES file that OpenCASCADE can read; export it again"}};
-  Handle(TDocStd_Document) document = new_document();
-  const bool done = reader.Transfer(document, progress->start(0.1, 0.5));
+  reader.TransferRoots(progress->start(0.1, 0.5));
   if (progress->time_is_over()) return out_of_time(file.string(), options);
-  std::vector<OcctPart> found;
-  if (done) found = sewn(parts(document, valid_utf8(file.stem().string())));
+  std::vector<OcctPart> found = sewn(parts(reader, iges_names(reader), valid_utf8(file.stem().string())));
   const std::string unit = unit_of(reader);
   set_declared_unit(unit.empty() ? std::vector<std::string>{} : std::vector{unit}, file.string(), options,
                     model);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <Interface_Static.hxx>
-#include <STEPCAFControl_Controller.hxx>
-#include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <fmt/format.h>
 
@@ -32,32 +32,21 @@ void set_unit(STEPControl_Reader& reader, std::string_view bytes, const std::str
   set_declared_unit(names, file, options, model);
 }
 
-Diagnostics transfer(STEPCAFControl_Reader& reader, const std::filesystem::path& file, std::string_view bytes,
+Diagnostics transfer(STEPControl_Reader& reader, const std::filesystem::path& file, std::string_view bytes,
                      const LoadOptions& options, const Handle(OcctProgress) & progress, Model& model) {
-  const Handle(TDocStd_Document) document = new_document();
-  Handle(TDocStd_Document) into = document;
-  const bool done = reader.Transfer(into, progress->start(read_share, transfer_share));
+  reader.TransferRoots(progress->start(read_share, transfer_share));
   if (progress->time_is_over()) return out_of_time(file.string(), options);
-  std::vector<OcctPart> found;
-  if (done) found = parts(document, valid_utf8(file.stem().string()));
-  set_unit(reader.ChangeReader(), bytes, file.string(), options, model);
-  return fill_model(std::move(found), file.string(), options, progress, model);
+  set_unit(reader, bytes, file.string(), options, model);
+  return fill_model(parts(reader, step_names(reader), valid_utf8(file.stem().string())), file.string(),
+                    options, progress, model);
 }
 
 Diagnostics read(const std::filesystem::path& file, std::string_view bytes, const LoadOptions& options,
                  Model& model) {
-  STEPCAFControl_Controller::Init();
+  STEPControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
   const Handle(OcctProgress) progress = new OcctProgress(options);
-  STEPCAFControl_Reader reader;
-  reader.SetNameMode(Standard_True);
-  reader.SetColorMode(Standard_False);
-  reader.SetLayerMode(Standard_False);
-  reader.SetPropsMode(Standard_False);
-  reader.SetGDTMode(Standard_False);
-  reader.SetMatMode(Standard_False);
-  reader.SetViewMode(Standard_False);
+  STEPControl_Reader reader;
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
     return {{.file = file.string(), .message = "is no STEP file that OpenCASCADE can read; export it again"}};
   return transfer(reader, file, bytes, options, progress, model);

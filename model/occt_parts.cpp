@@ -3,70 +3,79 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <TDF_LabelSequence.hxx>
-#include <TDataStd_Name.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Solid.hxx>
-#include <XCAFApp_Application.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_ShapeTool.hxx>
-
-#include "model/text_encoding.h"
 
 namespace gabarit {
 namespace {
-
-std::string text_of(const TCollection_ExtendedString& text) {
-  std::string bytes(static_cast<std::size_t>(text.LengthOfCString()) + 1, '\0');
-  Standard_PCharacter to = bytes.data();
-  bytes.resize(static_cast<std::size_t>(text.ToUTF8CString(to)));
-  return valid_utf8(bytes);
-}
-
-std::string name_of(const TDF_Label& label) {
-  Handle(TDataStd_Name) name;
-  return label.FindAttribute(TDataStd_Name::GetID(), name) ? text_of(name->Get()) : std::string();
-}
 
 bool rigid(const gp_Trsf& placement) {
   return !placement.IsNegative() && std::abs(placement.ScaleFactor() - 1) < 1e-12;
 }
 
 // A scaling or mirroring placement goes into the geometry itself.
-TopoDS_Shape placed(const TopoDS_Shape& shape, const TopLoc_Location& at) {
-  if (at.IsIdentity()) return shape;
-  if (rigid(at.Transformation())) return shape.Moved(at);
-  return BRepBuilderAPI_Transform(shape, at.Transformation(), Standard_True).Shape();
+TopoDS_Shape with_rigid_placement(const TopoDS_Shape& shape) {
+  const TopLoc_Location& at = shape.Location();
+  if (at.IsIdentity() || rigid(at.Transformation())) return shape;
+  return BRepBuilderAPI_Transform(shape.Located(TopLoc_Location()), at.Transformation(), Standard_True)
+      .Shape();
 }
 
 class Gathering {
  public:
-  explicit Gathering(const std::string& fallback) : fallback_(fallback) {}
+  Gathering(const OcctNames& names, const std::string& fallback) : names_(&names), fallback_(fallback) {}
 
-  void add(const TDF_Label& label, const TopLoc_Location& at, const std::string& outer_name) {
-    const std::string own = name_of(label);
-    const std::string& name = own.empty() ? outer_name : own;
-    TDF_Label referred;
-    if (XCAFDoc_ShapeTool::GetReferredShape(label, referred))
-      return add(referred, at * XCAFDoc_ShapeTool::GetLocation(label), name);
-    TDF_LabelSequence components;
-    if (!XCAFDoc_ShapeTool::GetComponents(label, components)) return add_shape(label, at, name);
-    for (const TDF_Label& component : components) add(component, at, name);
+  // A compound that holds products is an assembly; what lies loose in one is a part of the assembly's own.
+  void add(const TopoDS_Shape& shape, const std::string& outer_name) {
+    const std::string& name = name_of(shape, outer_name);
+    if (!holds_products(shape)) return add_shape(shape, name);
+    TopoDS_Compound loose;
+    BRep_Builder().MakeCompound(loose);
+    bool any_loose = false;
+    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+      if (is_product(it.Value()) || holds_products(it.Value())) {
+        add(it.Value(), name);
+      } else {
+        BRep_Builder().Add(loose, it.Value());
+        any_loose = true;
+      }
+    }
+    if (any_loose) add_shape(loose, name);
   }
 
   std::vector<OcctPart> parts;
 
  private:
-  void add_shape(const TDF_Label& label, const TopLoc_Location& at, const std::string& name) {
-    const TopoDS_Shape shape = placed(XCAFDoc_ShapeTool::GetShape(label), at);
+  const std::string& name_of(const TopoDS_Shape& shape, const std::string& outer_name) const {
+    for (const auto* known : {&names_->products, &names_->items}) {
+      const auto found = known->find(OcctNames::key(shape));
+      if (found != known->end() && !found->second.empty()) return found->second;
+    }
+    return outer_name;
+  }
+
+  bool is_product(const TopoDS_Shape& shape) const {
+    return names_->products.count(OcctNames::key(shape)) > 0;
+  }
+
+  bool holds_products(const TopoDS_Shape& shape) const {
+    if (shape.ShapeType() != TopAbs_COMPOUND) return false;
+    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+      if (is_product(it.Value()) || holds_products(it.Value())) return true;
+    }
+    return false;
+  }
+
+  void add_shape(const TopoDS_Shape& placed, const std::string& name) {
+    const TopoDS_Shape shape = with_rigid_placement(placed);
     const std::size_t first = parts.size();
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) add_part(name, it.Current(), true);
     for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
       add_shell(name, it.Current());
     add_loose_faces(name, shape);
-    if (parts.size() > first + 1) name_solids(label, at, first);
+    if (parts.size() > first + 1) name_solids(first);
   }
 
   void add_part(const std::string& name, const TopoDS_Shape& shape, bool solid) {
@@ -90,35 +99,24 @@ class Gathering {
     add_part(name, compound, false);
   }
 
-  // Names that the file gives to single solids of one product are names of sub-shapes.
-  void name_solids(const TDF_Label& label, const TopLoc_Location& at, std::size_t first) {
-    TDF_LabelSequence labels;
-    XCAFDoc_ShapeTool::GetSubShapes(label, labels);
-    for (const TDF_Label& sub : labels) {
-      const std::string name = name_of(sub);
-      const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(sub).Moved(at);
-      for (std::size_t i = first; i < parts.size() && !name.empty(); ++i) {
-        if (parts[i].shape.IsPartner(shape) && parts[i].name != name) parts[i].name += "/" + name;
-      }
+  void name_solids(std::size_t first) {
+    for (std::size_t i = first; i < parts.size(); ++i) {
+      const auto found = names_->items.find(OcctNames::key(parts[i].shape));
+      if (found != names_->items.end() && found->second != parts[i].name)
+        parts[i].name += "/" + found->second;
     }
   }
 
+  const OcctNames* names_;
   std::string fallback_;
 };
 
 }  // namespace
 
-Handle(TDocStd_Document) new_document() {
-  Handle(TDocStd_Document) document;
-  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
-  return document;
-}
-
-std::vector<OcctPart> parts(const Handle(TDocStd_Document) & document, const std::string& fallback) {
-  TDF_LabelSequence roots;
-  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
-  Gathering gathering(fallback);
-  for (const TDF_Label& root : roots) gathering.add(root, TopLoc_Location(), "");
+std::vector<OcctPart> parts(const XSControl_Reader& reader, const OcctNames& names,
+                            const std::string& fallback) {
+  Gathering gathering(names, fallback);
+  for (int i = 1; i <= reader.NbShapes(); ++i) gathering.add(reader.Shape(i), "");
   return std::move(gathering.parts);
 }
 

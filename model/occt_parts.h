@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <TDocStd_Document.hxx>
 #include <TopoDS_Shape.hxx>
+
+#include "model/occt_names.h"
 
 namespace gabarit {
 
@@ -15,10 +16,10 @@ struct OcctPart {
   bool solid = false;
 };
 
-// An empty document that the CAF readers fill.
-Handle(TDocStd_Document) new_document();
-// In the order of the document. A part is named after its product; solids that share a product,
-// "product/solid name" where the file names them, else all alike. `fallback` names what has no name.
-std::vector<OcctPart> parts(const Handle(TDocStd_Document) & document, const std::string& fallback);
+// Of all that `reader` has transferred, in the order of the file. A part is named after its product; solids
+// that share a product, "product/solid name" where the file names them, else all alike. `fallback` names what
+// has no name.
+std::vector<OcctPart> parts(const XSControl_Reader& reader, const OcctNames& names,
+                            const std::string& fallback);
 
 }  // namespace gabarit

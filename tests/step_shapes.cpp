@@ -19,6 +19,7 @@
 #include <Message_Messenger.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -26,6 +27,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
 #include <XCAFApp_Application.hxx>
@@ -69,6 +71,13 @@ TopoDS_Shape turned(const TopoDS_Shape& shape, double degrees_about_x) {
   return shape.Moved(turn);
 }
 
+TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound compound;
+  BRep_Builder().MakeCompound(compound);
+  for (const TopoDS_Shape& shape : shapes) BRep_Builder().Add(compound, shape);
+  return compound;
+}
+
 TopoDS_Shape without_a_face(const TopoDS_Shape& shape) {
   TopoDS_Shell shell;
   BRep_Builder().MakeShell(shell);
@@ -94,6 +103,14 @@ std::filesystem::path StepFiles::step(const TopoDS_Shape& shape, const std::stri
   const std::filesystem::path file = folder / "part.step";
   writer.Write(file.c_str());
   Interface_Static::SetCVal("write.step.unit", "MM");
+  return file;
+}
+
+std::filesystem::path StepFiles::one_product(const TopoDS_Shape& shape) const {
+  STEPControl_Controller::Init();
+  Interface_Static::SetIVal("write.step.assembly", 0);
+  const std::filesystem::path file = step(shape);
+  Interface_Static::SetIVal("write.step.assembly", 2);
   return file;
 }
 

@@ -23,6 +23,7 @@ TopoDS_Shape sphere(double radius);
 TopoDS_Shape torus(double ring, double tube);
 TopoDS_Shape moved(const TopoDS_Shape& shape, double x, double y, double z);
 TopoDS_Shape turned(const TopoDS_Shape& shape, double degrees_about_x);
+TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes);  // one compound
 // Its closed shell without the first face.
 TopoDS_Shape without_a_face(const TopoDS_Shape& shape);
 
@@ -38,6 +39,8 @@ class StepFiles : public testing::Test {
 
   // The file; `unit` is "MM", "INCH" or "M".
   std::filesystem::path step(const TopoDS_Shape& shape, const std::string& unit = "MM") const;
+  // A compound of solids as one product instead of an assembly.
+  std::filesystem::path one_product(const TopoDS_Shape& solids) const;
   std::filesystem::path iges(const TopoDS_Shape& shape, const std::string& unit = "MM") const;
   // An assembly with one component for each, named through XCAF; equal shapes become instances of one
   // product.

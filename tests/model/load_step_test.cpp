@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <numbers>
+#include <regex>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -149,6 +150,28 @@ TEST_F(LoadStep, an_assembly_gives_named_placed_bodies_and_every_instance_is_one
   EXPECT_NEAR(model.box.max.z, 32, 0.01);
   EXPECT_EQ(model.mesh.body.front(), 0U);
   EXPECT_EQ(model.mesh.body.back(), 2U);
+}
+
+std::string replaced(std::string content, const std::string& what, const std::vector<std::string>& by) {
+  std::size_t at = 0;
+  for (const std::string& text : by) {
+    at = content.find(what, at);
+    if (at == std::string::npos) return "no " + what;
+    content.replace(at, what.size(), text);
+    at += text.size();
+  }
+  return content;
+}
+
+TEST_F(LoadStep, solids_of_one_product_are_told_apart_by_their_own_names_where_they_have_any) {
+  const TopoDS_Shape two = step_shapes::together(
+      {step_shapes::box(10, 10, 10), step_shapes::moved(step_shapes::box(5, 5, 5), 20, 0, 0)});
+  std::string content = text_of(one_product(two));
+  content = std::regex_replace(content, std::regex("'Open CASCADE STEP translator [0-9. ]+'"), "'pair'");
+  EXPECT_THAT(loaded(text("unnamed.stp", content)).bodies, ElementsAre("pair", "pair"));
+  const std::string named = replaced(content, "MANIFOLD_SOLID_BREP(''",
+                                     {"MANIFOLD_SOLID_BREP('left'", "MANIFOLD_SOLID_BREP('right'"});
+  EXPECT_THAT(loaded(text("named.stp", named)).bodies, ElementsAre("pair/left", "pair/right"));
 }
 
 TEST_F(LoadStep, solids_that_touch_share_no_vertices) {
