@@ -136,6 +136,7 @@ class CellMeasurement {
     }
     query.direction = options_.side == Side::inside ? -n : n;
     query.facet = f;
+    query.weights = {v, w};
     query.sag = surface_.sag[f];
     query.spacing = static_cast<float>(spacing * (1 + 1e-6));
     query.tilt = plane ? 0.0F : static_cast<float>(std::min(0.49, std::max(turn, spread / 2)));
@@ -153,7 +154,7 @@ class CellMeasurement {
       if (value < infinity || !smallest()) return;
     }
     value = answer.value;
-    field_.at[row] = query.point;
+    field_.at[row] = answer.at.value_or(query.point);
     field_.contact[row] = answer.contact;
   }
 

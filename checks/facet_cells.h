@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "checks/contact_surface.h"
@@ -16,9 +17,10 @@ struct CellQuery {
   Vec3d point;      // the middle of the cell
   Vec3d direction;  // unit, from the surface into what is measured
   FacetId facet = 0;
-  float sag = 0;      // of the facet, mm
-  float spacing = 0;  // from the middle to the farthest corner of the cell, mm
-  float tilt = 0;     // how far the surface's normals within the cell turn away from the direction, radians
+  std::array<double, 2> weights{};  // of the facet's second and third corner, at the point
+  float sag = 0;                    // of the facet, mm
+  float spacing = 0;                // from the middle to the farthest corner of the cell, mm
+  float tilt = 0;  // how far the surface's normals within the cell turn away from the direction, radians
 };
 
 struct CellAnswer {
@@ -28,6 +30,7 @@ struct CellAnswer {
   double greatest = 0;  // over the cell
   Vec3d contact;
   Absence absence = Absence::none;
+  std::optional<Vec3d> at;  // where on the surface itself the value holds; without it the cell's point
 };
 
 using Probe = std::function<void(std::span<const CellQuery>, std::span<CellAnswer>)>;
