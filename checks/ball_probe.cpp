@@ -13,6 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Contacts nearer than this share of the model's size are the surface itself.
 constexpr double floor_share = 1e-6;
+constexpr float greatest_tilt = 0.49F;  // radians, of a query
 
 // Of one contact, when the point moves in its plane as far as the cell reaches.
 double greatest_around(const CellQuery& query, const SphereContact& found, double reach) {
@@ -28,23 +29,49 @@ class BallProbe {
       : surface_(&surface), options_(options) {}
 
   void operator()(std::span<const CellQuery> queries, std::span<CellAnswer> answers) const {
-    std::vector<SphereQuery> spheres(queries.size());
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const CellQuery& q = queries[i];
-      const bool around = options_.extreme == Extreme::smallest;
-      spheres[i] = {q.point, q.direction, q.facet, q.sag, around ? q.spacing : 0.0F, q.tilt};
-    }
-    std::vector<SphereContact> found(queries.size());
-    maximal_spheres(surface_->tree,
-                    {.cos_separation = std::cos(options_.separation),
-                     .greatest_radius = options_.greatest / 2,
-                     .contact_floor = floor_share * surface_->size},
-                    spheres, found);
+    std::vector<SphereQuery> spheres;
+    spheres.reserve(queries.size());
+    for (const CellQuery& q : queries) spheres.push_back(sphere(q, q.direction));
+    std::vector<SphereContact> found = balls(spheres);
+    ask_again_across_folds(queries, found);
     for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer(queries[i], found[i]);
     mark_open(queries, answers);
   }
 
  private:
+  SphereQuery sphere(const CellQuery& q, const Vec3d& direction) const {
+    const bool around = options_.extreme == Extreme::smallest;
+    const double lean = std::atan2(length(cross(q.direction, direction)), dot(q.direction, direction));
+    const double tilt = std::min(static_cast<double>(greatest_tilt), static_cast<double>(q.tilt) + lean);
+    return {q.point, direction, q.facet, q.sag, around ? q.spacing : 0.0F, static_cast<float>(tilt)};
+  }
+
+  std::vector<SphereContact> balls(std::span<const SphereQuery> spheres) const {
+    std::vector<SphereContact> found(spheres.size());
+    maximal_spheres(surface_->tree,
+                    {.cos_separation = std::cos(options_.separation),
+                     .greatest_radius = options_.greatest / 2,
+                     .contact_floor = floor_share * surface_->size},
+                    spheres, found);
+    return found;
+  }
+
+  // A contact in front of the facet is reached from the wrong side of it: neighbours fold, and their smooth
+  // normals lean too far. The facet speaks for itself there.
+  void ask_again_across_folds(std::span<const CellQuery> queries, std::span<SphereContact> found) const {
+    std::vector<SphereQuery> spheres;
+    std::vector<std::size_t> number;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const CellQuery& q = queries[i];
+      if (found[i].primitive == SphereContact::none || dot(found[i].contact - q.point, q.across) > 0)
+        continue;
+      spheres.push_back(sphere(q, q.across));
+      number.push_back(i);
+    }
+    const std::vector<SphereContact> again = balls(spheres);
+    for (std::size_t i = 0; i < number.size(); ++i) found[number[i]] = again[i];
+  }
+
   CellAnswer answer(const CellQuery& query, const SphereContact& found) const {
     CellAnswer answer{2 * found.radius, 2 * found.lower, 2 * found.upper, infinity, found.contact,
                       Absence::none,    std::nullopt};

@@ -22,6 +22,7 @@ struct Ridge {
 };
 
 constexpr VertexId no_vertex = 0xffffffffU;
+constexpr std::size_t most_directions = 64;  // of a vertex that are worth comparing with each other
 
 class Features {
  public:
@@ -48,22 +49,58 @@ class Features {
 
   // Every direction in which the surface leaves the vertices at the ends of ridges.
   void add_vertices() {
-    std::map<VertexId, std::vector<Vec3d>> fans;
-    for (const VertexId v : ends_) fans[v];
+    std::map<VertexId, Star> stars;
+    for (const VertexId v : ends_) stars[v];
     for (FacetId f = 0; f < mesh_.facet_count(); ++f) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto fan = fans.find(mesh_.facets[f][i]);
-        if (fan == fans.end()) continue;
+        const auto star = stars.find(mesh_.facets[f][i]);
+        if (star == stars.end()) continue;
+        const Vec3d normal = facet_normal(mesh_, f);
+        if (normal != Vec3d{}) star->second.normals.push_back(normal);
         for (const std::size_t k : {(i + 1) % 3, (i + 2) % 3}) {
           const Vec3d w = normalized(mesh_.vertices[mesh_.facets[f][k]] - mesh_.vertices[mesh_.facets[f][i]]);
-          if (is_finite(w) && w != Vec3d{}) fan->second.push_back(w);
+          if (is_finite(w) && w != Vec3d{}) star->second.directions.push_back(w);
         }
       }
     }
-    for (const auto& [v, directions] : fans) push({v, v, fan(directions)}, sags_.at(v));
+    for (auto& [v, star] : stars) {
+      add_sums(star.directions);
+      add_outward(star.normals, star.directions);
+      push({v, v, fan(star.directions)}, sags_.at(v));
+    }
   }
 
  private:
+  struct Star {
+    std::vector<Vec3d> normals, directions;
+  };
+
+  // A ball reaches the feature from the side that the facets around it face away from. Where these agree,
+  // that direction stands in the fan too: it tells at a glance that the feature cannot stop a ball on its own
+  // wall.
+  void add_outward(const std::vector<Vec3d>& normals, std::vector<Vec3d>& directions) const {
+    Vec3d sum;
+    for (const Vec3d& n : normals) sum += n;
+    const Vec3d mean = normalized(sum);
+    for (const Vec3d& n : normals)
+      if (dot(n, mean) < 0.5) return;
+    if (mean != Vec3d{}) directions.push_back(side_ == Side::inside ? mean : -mean);
+  }
+
+  // What is on the positive side of two directions is on that of their sum: of two that are almost opposite
+  // it tells the same.
+  static void add_sums(std::vector<Vec3d>& directions) {
+    const std::size_t count = directions.size();
+    if (count > most_directions) return;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t opposite = i;
+      for (std::size_t j = 0; j < count; ++j)
+        if (dot(directions[i], directions[j]) < dot(directions[i], directions[opposite])) opposite = j;
+      const Vec3d sum = directions[i] + directions[opposite];
+      if (length(sum) > 0.1 && length(sum) < 1) directions.push_back(normalized(sum));
+    }
+  }
+
   void add(const Ridge& ridge) {
     const Vec3d along = normalized(ridge.b - ridge.a);
     const float s = std::max(sag_[ridge.one], sag_[ridge.other]);

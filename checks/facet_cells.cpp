@@ -17,6 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double settled_on_planes = 1e-3, settled_on_curves = 0.05;
 // Cells smaller than this share of the value tell nothing new.
 constexpr double fine_enough = 1.0 / 16;
+constexpr double finer_at_the_limit = 1.0 / 8;
 constexpr std::size_t block = 1 << 17;
 constexpr std::size_t most_cuts = 4'000'000;
 
@@ -50,6 +51,7 @@ class CellMeasurement {
         options_.progress(static_cast<double>(std::min(i + block, cells.size())) /
                           static_cast<double>(cells.size()));
     }
+    mark_buried();
     if (cut_off_) {
       field_.notes.push_back(fmt::format(
           "Large facets were looked at in {} places only; the bounds allow for what lies between.",
@@ -66,6 +68,7 @@ class CellMeasurement {
     for (FacetId f = 0; f < region.facets.size(); ++f)
       if (region.facets[f] != Selected::no) field_.facets.push_back(f);
     field_.resize(field_.size());
+    buried_.assign(field_.size(), 0);
     for (std::size_t row = 0; row < field_.size(); ++row) {
       const FacetId f = field_.facets[row];
       const bool normal = surface_.normals[f][0] != Vec3f{};
@@ -114,6 +117,15 @@ class CellMeasurement {
     }
   }
 
+  // Nothing was measured where every cell is buried; what they read is a lower bound all the same.
+  void mark_buried() {
+    for (std::size_t row = 0; row < field_.size(); ++row) {
+      if (buried_[row] == 0 || field_.absence[row] != Absence::none || field_.value[row] < infinity) continue;
+      field_.absence[row] = Absence::buried;
+      field_.value[row] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
   CellQuery query(const Cell& cell) const {
     const FacetId f = field_.facets[cell.row];
     const std::array<Vec3d, 3> corners = mesh_.corners(f);
@@ -135,8 +147,11 @@ class CellMeasurement {
       turn = std::max(turn, angle_between(n, normalized(blend(normals, cv, cw))));
     }
     query.direction = options_.side == Side::inside ? -n : n;
+    query.across = options_.side == Side::inside ? -own : own;
     query.facet = f;
     query.weights = {v, w};
+    query.known = field_.value[cell.row];
+    query.known_upper = field_.upper[cell.row];
     query.sag = surface_.sag[f];
     query.spacing = static_cast<float>(spacing * (1 + 1e-6));
     query.tilt = plane ? 0.0F : static_cast<float>(std::min(0.49, std::max(turn, spread / 2)));
@@ -146,6 +161,10 @@ class CellMeasurement {
   static bool cell_is_whole(const Cell& cell) { return cell.corner == Cell{}.corner; }
 
   void keep_value(std::uint32_t row, const CellQuery& query, const CellAnswer& answer) {
+    if (answer.absence == Absence::buried) {
+      buried_[row] = 1;
+      return;
+    }
     if (answer.absence != Absence::none) field_.absence[row] = answer.absence;
     double& value = field_.value[row];
     if (smallest()) field_.upper[row] = std::min(field_.upper[row], answer.upper);
@@ -160,8 +179,10 @@ class CellMeasurement {
 
   bool is_settled(const Cell& cell, const CellQuery& query, const CellAnswer& answer) {
     const double side = longest_side(cell).second;
-    if (field_.absence[cell.row] != Absence::none || side <= options_.step) return true;
-    if (!options_.exhaustive) {
+    const bool finer = answer.absence != Absence::buried && decides(cell, answer);
+    const double step = finer ? options_.step * finer_at_the_limit : options_.step;
+    if (field_.absence[cell.row] != Absence::none || side <= step) return true;
+    if (!options_.exhaustive && answer.absence != Absence::buried) {
       const double value = field_.value[cell.row];
       const double near = query.tilt > 0 ? settled_on_curves : settled_on_planes;
       const bool known =
@@ -171,6 +192,14 @@ class CellMeasurement {
     if (cuts_ >= most_cuts) return cut_off_ = true;
     ++cuts_;
     return false;
+  }
+
+  // Whether the limit lies within the cell's bounds while no other cell has broken it.
+  bool decides(const Cell& cell, const CellAnswer& answer) const {
+    const double limit = options_.limit;
+    if (!(limit > 0)) return false;
+    return smallest() ? answer.lower < limit && limit <= field_.upper[cell.row]
+                      : answer.greatest > limit && limit >= field_.lower[cell.row];
   }
 
   void keep_bounds(std::uint32_t row, const CellAnswer& answer) {
@@ -212,6 +241,7 @@ class CellMeasurement {
   const CellOptions& options_;
   const Probe& probe_;
   Field field_;
+  std::vector<std::uint8_t> buried_;  // by row: whether a cell was
   std::size_t cuts_ = 0;
   bool cut_off_ = false;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -16,10 +17,14 @@ namespace gabarit {
 struct CellQuery {
   Vec3d point;      // the middle of the cell
   Vec3d direction;  // unit, from the surface into what is measured
+  Vec3d across;     // the same of the facet alone, where `direction` is that of smooth normals
   FacetId facet = 0;
   std::array<double, 2> weights{};  // of the facet's second and third corner, at the point
   float sag = 0;                    // of the facet, mm
   float spacing = 0;                // from the middle to the farthest corner of the cell, mm
+  // Of the facet's other cells so far: an answer that beats neither changes nothing.
+  double known = std::numeric_limits<double>::infinity();
+  double known_upper = std::numeric_limits<double>::infinity();
   float tilt = 0;  // how far the surface's normals within the cell turn away from the direction, radians
 };
 
@@ -37,8 +42,9 @@ using Probe = std::function<void(std::span<const CellQuery>, std::span<CellAnswe
 
 struct CellOptions {
   Side side = Side::inside;
-  bool smooth = true;       // normals interpolated from the corners; else those of the facets
-  double step = 1;          // mm: cells whose longest side is no longer are not cut
+  bool smooth = true;  // normals interpolated from the corners; else those of the facets
+  double step = 1;     // mm: cells whose longest side is no longer are not cut
+  double limit = 0;    // mm: cells whose bounds it lies between are cut to an eighth of the step; 0: none
   bool exhaustive = false;  // cut down to the step even where the bounds settle the value
   Extreme extreme = Extreme::smallest;
   std::function<void(double fraction)> progress;

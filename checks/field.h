@@ -15,6 +15,7 @@ enum class Absence : std::uint8_t {
   degenerate,  // the facet has no normal
   open,        // nothing stops the ball: the mesh is open
   too_little,  // the mesh turns too little near the facet to tell
+  buried,      // the facet lies inside the part: the mesh overlaps itself
 };
 
 // All arrays have one entry a measured facet. Bounds hold the truth: lower <= true value <= upper; a value

@@ -44,6 +44,7 @@ struct Setup {
   double sag = 0.1;      // mm
   Interval height_band;  // above ground: `height` selectors beside a contact say how far the probe reaches
   Extreme extreme = Extreme::smallest;
+  double limit = 0;                               // mm: what the value is compared with; 0: nothing
   double resolution = 0;                          // mm: how finely the rule looks at large facets; 0: no rule
   std::function<void(double fraction)> progress;  // may be empty
 };

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "checks/ball_probe.h"
+#include "checks/buried.h"
+#include "checks/exact_probe.h"
 #include "checks/ray_probe.h"
 
 namespace gabarit {
@@ -52,24 +54,50 @@ Probe probe_of(Side side, const ContactSurface& surface, const TriangleMesh& mes
 
 std::string count_text(std::size_t n) { return n == 1 ? "1 facet" : fmt::format("{} facets", n); }
 
+std::size_t count(const Field& field, Absence absence) {
+  return static_cast<std::size_t>(std::count(field.absence.begin(), field.absence.end(), absence));
+}
+
+void add_absences(Field& field) {
+  if (const std::size_t open = count(field, Absence::open); open > 0)
+    field.notes.push_back(fmt::format(
+        "Nothing bounds the measure at {}: the mesh is open or its facets face the wrong way there.",
+        count_text(open)));
+  if (const std::size_t buried = count(field, Absence::buried); buried > 0)
+    field.notes.push_back(fmt::format(
+        "The mesh overlaps itself: {} that would read less than asked for lie inside the part and "
+        "bound no wall. They have no value.",
+        count_text(buried)));
+}
+
 void add_notes(Field& field, Side side, double step, const Arguments& arguments) {
   field.notes.push_back(fmt::format(
       "Method: {}; {} normals. Facets longer than {:.3g} mm were looked at in more than one place "
       "where it matters.",
       method_text(arguments), arguments.text("normals"), step));
-  const auto open =
-      static_cast<std::size_t>(std::count(field.absence.begin(), field.absence.end(), Absence::open));
-  if (open > 0) {
-    field.notes.push_back(fmt::format(
-        "Nothing bounds the measure at {}: the mesh is open or its facets face the wrong way there.",
-        count_text(open)));
-  }
+  add_absences(field);
   const double cap = greatest(arguments);
   if (cap == no_limit || side == Side::outside) return;
   const auto capped = static_cast<std::size_t>(std::count(field.value.begin(), field.value.end(), cap));
   if (capped > 0)
     field.notes.push_back(
         fmt::format("{} reach the greatest value looked for, {:g} mm.", count_text(capped), cap));
+}
+
+bool is_exact(const Scene& scene, const Arguments& arguments) {
+  return scene.model().brep && !by_ray(arguments) && arguments.text("normals") == "smooth";
+}
+
+void add_exact_note(Field& field) {
+  field.notes.push_back(
+      "Values are measured between the exact surfaces of the model, not between its facets.");
+}
+
+// Thin places are looked at again when they may lie inside the part: those under the limit or, without one,
+// under a hundredth of the model.
+Probe without_buried(Probe probe, Side side, const ContactSurface& surface, const Setup& setup) {
+  if (side == Side::outside || setup.extreme == Extreme::greatest) return probe;
+  return set_buried_aside(std::move(probe), surface, setup.limit > 0 ? setup.limit : surface.size / 100);
 }
 
 }  // namespace
@@ -92,13 +120,25 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
   CellOptions options{.side = side,
                       .smooth = arguments.text("normals") == "smooth",
                       .step = setup.resolution > 0 ? setup.resolution : surface.size / 200,
+                      .limit = setup.limit,
                       .exhaustive = by_ray(arguments),
                       .extreme = setup.extreme,
                       .progress = setup.progress};
   if (arguments.has("step")) options.step = arguments.number("step");
+  Probe probe = probe_of(side, surface, scene.mesh(), setup.extreme, arguments);
+  std::optional<ExactWalls> walls;
+  if (is_exact(scene, arguments)) {
+    walls.emplace(scene, surface,
+                  ExactWallOptions{.side = side,
+                                   .separation = separation(arguments),
+                                   .greatest = greatest(arguments),
+                                   .extreme = setup.extreme});
+    probe = exact_probe(std::move(probe), *walls, setup.extreme);
+  }
   Field field = measure_cells(scene.mesh(), region, surface, options,
-                              probe_of(side, surface, scene.mesh(), setup.extreme, arguments));
+                              without_buried(std::move(probe), side, surface, setup));
   add_notes(field, side, options.step, arguments);
+  if (walls) add_exact_note(field);
   return field;
 }
 

@@ -93,6 +93,7 @@ static int check_model(const Model& model, std::vector<RuleSet> sets, const Chec
   WriteOptions writing;
   writing.formats = options.format_list();
   writing.fields = options.fields;
+  writing.palette = options.palette_map();
   writing.threads = options.model.threads;
   writing.progress = [&](const char*, double fraction) { progress.update(fraction); };
   writing.run_record = [&] { return progress.end(), run_json(record, progress.stages()); };

@@ -34,6 +34,9 @@ void CheckOptions::add_to(CLI::App& command) {
   command.add_option("--device", device, "auto, cpu or cuda [auto]")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""))
       ->type_name("NAME");
+  command.add_option("--palette", palette, "Of heat maps: by-limit or red-to-blue [by-limit]")
+      ->check(CLI::IsMember({"by-limit", "red-to-blue"}).description(""))
+      ->type_name("NAME");
   command.add_flag("--quiet", quiet, "Print nothing but warnings and errors");
 }
 
@@ -65,11 +68,16 @@ FailOn CheckOptions::fail_on_value() const {
   return fail_on == "never" ? FailOn::never : fail_on == "undecided" ? FailOn::undecided : FailOn::fail;
 }
 
+ColourMap CheckOptions::palette_map() const {
+  return palette == "red-to-blue" ? ColourMap::red_to_blue : ColourMap::by_limit;
+}
+
 // What follows the names of the model and of the rule files.
 static void add_settings(const CheckOptions& options, std::vector<std::string>& words) {
   if (!options.model.units.empty()) words.insert(words.end(), {"--units", options.model.units});
   if (!options.model.sag.empty()) words.insert(words.end(), {"--sag", options.model.sag});
   for (const std::string& rule : options.only) words.insert(words.end(), {"--only", rule});
+  if (options.palette_map() != ColourMap::by_limit) words.insert(words.end(), {"--palette", options.palette});
 }
 
 std::vector<std::string> CheckOptions::command() const {

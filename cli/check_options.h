@@ -13,13 +13,14 @@ namespace gabarit {
 struct CheckOptions {
   ModelOptions model;
   std::vector<std::string> rules, only;
-  std::string out, device = "auto", formats = "pdf,stl,json", fail_on = "fail";
+  std::string out, device = "auto", formats = "pdf,stl,json", fail_on = "fail", palette = "by-limit";
   bool fields = false, quiet = false;
 
   void add_to(CLI::App& command);
   // Both throw UsageError.
   std::vector<Format> format_list() const;
   FailOn fail_on_value() const;
+  ColourMap palette_map() const;
   // The command as given, for run.json.
   std::vector<std::string> command() const;
   // Those that change what is in the outputs, as they would be written again, without paths.

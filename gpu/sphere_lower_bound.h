@@ -111,7 +111,7 @@ class SphereLowerBound {
       return ball_through_segment(query_.direction, a + back, b + back).radius;
     });
     const double bound = by_depth > low ? by_depth : low;
-    if (bound >= least_ || !can_leave(p.corner[2])) return;
+    if (bound >= least_ || !can_leave(p.corner[2]) || !can_turn_away(p)) return;
     if (bound > 0 && deep / bound - 1 < -options_.cos_separation - 1e-6) return;
     record(by_depth, low);
   }
@@ -138,6 +138,46 @@ class SphereLowerBound {
       if (along < 0 && along * cosine + across * sine < -tilt_ - 1e-5) return false;
     }
     return true;
+  }
+
+  // Whether a contact on the feature can turn away far enough, for all that two directions in which the
+  // surface leaves it say: the reflex edges of a finely bent wall do not face the wall that they belong to.
+  GABARIT_HD bool can_turn_away(const Primitive& p) const {
+    const bool edge = p.corner[0] != p.corner[1];
+    const std::uint32_t end = tree_.fan_first[p.corner[2] + 1];
+    for (std::uint32_t i = tree_.fan_first[p.corner[2]]; i < end; ++i) {
+      for (std::uint32_t j = i + 1; j < end; ++j)
+        if (!faces(to_double(tree_.fan_directions[i]), to_double(tree_.fan_directions[j]), edge))
+          return false;
+    }
+    return true;
+  }
+
+  // Contacts lie on the positive side of both directions. In the plane of the two that is an arc about their
+  // sum, as wide as they bend; it counts twice as wide, for the surface that the facets stand for. Across
+  // that plane they are free, but not on an edge.
+  GABARIT_HD bool faces(const Vec3d& one, const Vec3d& other, bool edge) const {
+    const Vec3d sum = one + other;
+    const double sine_of_half = 0.5 * length(sum);
+    if (!(sine_of_half > 0.02 && sine_of_half < 1)) return true;
+    const double cosine_of_half = std::sqrt(1 - sine_of_half * sine_of_half);
+    const bool smooth = sine_of_half < 0.5;
+    const double sine = smooth ? 2 * sine_of_half * cosine_of_half : sine_of_half;
+    const double cosine = smooth ? 1 - 2 * sine_of_half * sine_of_half : cosine_of_half;
+    const double middle = dot(sum, query_.direction) / (2 * sine_of_half);
+    const double aside = std::fabs(dot(normalized(one - other), query_.direction));
+    const double plane = middle * middle + aside * aside;
+    const bool within = middle > 0 && middle * middle >= plane * cosine * cosine;
+    double farthest = within ? std::sqrt(plane) : middle * cosine + aside * sine;
+    if (!edge) {
+      const double across = plane < 1 ? 1 - plane : 0.0;
+      farthest = std::sqrt((farthest > 0 ? farthest * farthest : 0.0) + across);
+    }
+    return farthest >= -options_.cos_separation - tilt_ - 1e-5;
+  }
+
+  GABARIT_HD static Vec3d to_double(const Vec3f& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
   }
 
   GABARIT_HD void record(double one, double other) {

@@ -114,9 +114,14 @@ static void add(Histogram& h, double value, double area, const std::optional<Lim
 
 Histogram histogram(std::span<const double> values, std::span<const double> areas, const DisplayRange& range,
                     const std::optional<Limit>& limit, int bins) {
+  return histogram_between(edges(range, limit, bins), values, areas, limit);
+}
+
+Histogram histogram_between(const std::vector<double>& edges, std::span<const double> values,
+                            std::span<const double> areas, const std::optional<Limit>& limit) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Histogram h;
-  h.bins = empty_bins(edges(range, limit, bins), limit);
+  h.bins = empty_bins(edges, limit);
   h.minimum = infinity, h.maximum = -infinity;
   double moment = 0;
   double finite_area = 0;

@@ -48,6 +48,10 @@ DisplayRange display_range(std::span<const double> values, std::span<const doubl
 Histogram histogram(std::span<const double> values, std::span<const double> areas, const DisplayRange& range,
                     const std::optional<Limit>& limit, int bins = 40);
 
+// The bins between given edges, ascending; equal ones count once.
+Histogram histogram_between(const std::vector<double>& edges, std::span<const double> values,
+                            std::span<const double> areas, const std::optional<Limit>& limit);
+
 // mm² of each measured facet: the weights of a field.
 std::vector<double> areas_of(const Field& field, const TriangleMesh& mesh);
 

@@ -62,6 +62,7 @@ static Output pdf_output(const Report& report, const WriteOptions& options) {
   return {"report.pdf", [&](OutputFile& file) {
             PdfOptions pdf;
             pdf.device = Device::cpu(options.threads);
+            pdf.palette = options.palette;
             write_pdf(report, pdf, file);
           }};
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/result.h"
+#include "report/palette.h"
 #include "report/report.h"
 
 namespace gabarit {
@@ -17,6 +18,7 @@ enum class Format { pdf, stl, json, html, junit, sarif };
 struct WriteOptions {
   std::vector<Format> formats{Format::pdf, Format::stl, Format::json};
   bool fields = false;
+  ColourMap palette = ColourMap::by_limit;  // of the PDF's heat maps
   int threads = 0;
   std::function<std::string()> run_record;  // the text of run.json, asked for last; empty: no such file
   std::function<void(const char* stage, double fraction)> progress;  // may be empty

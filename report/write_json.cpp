@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/display_unit.h"
+#include "report/distribution.h"
 
 namespace gabarit {
 
@@ -58,11 +59,36 @@ static Json finding(const Finding& f, const DisplayUnit& unit) {
           {"box", box(f.box)}};
 }
 
+static Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+// Over the examined area; null when no facet has a finite value.
+static Json statistics(const RuleResult& r, const TriangleMesh& mesh) {
+  const std::optional<Histogram> h = coarse_distribution(r, mesh);
+  if (!h) return {};
+  Json ranges = Json::array();
+  for (const ValueRange& range :
+       value_ranges(*h, displayed(r.rule.require.limit, display_factor(r.rule.require)))) {
+    ranges.push_back({{"from", number(range.from)},
+                      {"to", number(range.to)},
+                      {"area", range.area},
+                      {"share", range.share},
+                      {"critical", range.critical}});
+  }
+  return {{"minimum", h->minimum},
+          {"maximum", h->maximum},
+          {"mean", h->mean},
+          {"critical_area", h->critical_area},
+          {"failed_area", r.area_failed},
+          {"undecided_area", r.area_undecided},
+          {"area_without_value", h->area_without},
+          {"ranges", std::move(ranges)}};
+}
+
 static const char* severity(Severity s) {
   return s == Severity::error ? "error" : s == Severity::warning ? "warning" : "note";
 }
 
-static Json rule(const RuleResult& r) {
+static Json rule(const RuleResult& r, const TriangleMesh& mesh) {
   const Measure* const measure = r.rule.require.measure;
   const DisplayUnit unit = display_unit(measure != nullptr ? measure->dimension : Dimension::length);
   Json findings = Json::array();
@@ -78,7 +104,8 @@ static Json rule(const RuleResult& r) {
           {"facets_failed", r.facets_failed},
           {"worst", r.has_worst ? worst(r.worst, unit) : Json()},
           {"limit", limit(r.rule.require, unit)},
-          {"findings", std::move(findings)}};
+          {"findings", std::move(findings)},
+          {"statistics", statistics(r, mesh)}};
 }
 
 static Json totals(const Totals& t) {
@@ -98,7 +125,7 @@ std::string results_json(const Report& report) {
     rulesets.push_back({{"id", set.id}, {"revision", set.revision}, {"sha256", set.sha256}});
   }
   Json rules = Json::array();
-  for (const RuleResult& result : outcome.results) rules.push_back(rule(result));
+  for (const RuleResult& result : outcome.results) rules.push_back(rule(result, report.model->mesh));
   const Json json = {{"schema", "gabarit.results/1"},    {"gabarit", report.version},
                      {"verdict", name(outcome.verdict)}, {"model", model(report)},
                      {"rulesets", std::move(rulesets)},  {"device", outcome.device},

@@ -8,6 +8,7 @@
 
 #include "gpu/device.h"
 #include "report/output_file.h"
+#include "report/palette.h"
 #include "report/report.h"
 
 namespace gabarit {
@@ -26,6 +27,7 @@ struct PdfOptions {
   // Of the pictures, dots an inch; many pictures have fewer, so that together they keep to the megapixels
   // (and the file to some 4 MB), but never under 80.
   double resolution = 200, megapixels = 12;
+  ColourMap palette = ColourMap::by_limit;  // of the pictures that show values
   PdfLimits limits = {};
   // Where fonts are looked for; not given: see pdf::find_fonts.
   std::optional<std::vector<std::filesystem::path>> font_folders = {};

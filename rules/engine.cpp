@@ -61,6 +61,7 @@ bool measures_the_same(const RuleResult& a, const RuleResult& b) {
 // What a measure has to know of the limit: which value of a facet decides, and how finely to look.
 Setup asked_by(Setup setup, const Limit& limit, Extreme extreme) {
   setup.extreme = extreme;
+  setup.limit = extreme == Extreme::smallest ? limit.low : limit.high;
   // Between two places the smallest value is bounded, the greatest only estimated: it is looked for more
   // finely.
   setup.resolution = extreme == Extreme::smallest ? limit.low / 2 : limit.high / 16;

@@ -67,6 +67,7 @@ const char* why_undecided(const RuleResult& result, std::size_t entry) {
   switch (field.absence[entry]) {
     case Absence::open: return "nothing bounds the measure, the mesh is open";
     case Absence::degenerate: return "there is no normal";
+    case Absence::buried: return "the facet lies inside the part, the mesh overlaps itself";
     case Absence::too_little: return "the mesh turns too little to tell";
     case Absence::none: break;
   }

@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/display_unit.h"
-#include "report/histogram.h"
+#include "report/distribution.h"
 
 namespace gabarit::pdf {
-
-double display_factor(const Requirement& require) {
-  return require.measure != nullptr ? display_unit(require.measure->dimension).factor : 1;
-}
-
-Limit displayed(const Limit& limit, double factor) {
-  return {limit.kind, limit.low * factor, limit.high * factor};
-}
 
 Rgb facet_colour(FacetVerdict verdict) {
   switch (verdict) {
@@ -27,7 +18,12 @@ Rgb facet_colour(FacetVerdict verdict) {
 }
 
 static bool shows_values(const TriangleMesh& mesh, const RuleResult& result) {
-  if (!result.region.depth.empty() || result.rule.require.measure == nullptr) return false;
+  const Measure* const measure = result.rule.require.measure;
+  if (measure == nullptr) return false;
+  if (measure->varies_within_facets)
+    return std::any_of(result.field.value.begin(), result.field.value.end(),
+                       [](double value) { return std::isfinite(value); });
+  if (!result.region.depth.empty()) return false;
   double whole = 0, finite = 0;
   for (FacetId f = 0; f < mesh.facet_count(); ++f) whole += facet_area(mesh, f);
   for (std::size_t i = 0; i < result.field.size(); ++i) {
@@ -36,20 +32,21 @@ static bool shows_values(const TriangleMesh& mesh, const RuleResult& result) {
   return finite > whole / 2;
 }
 
-static ColourScale scale_of(const TriangleMesh& mesh, const RuleResult& result, double factor) {
+static ColourScale scale_of(const TriangleMesh& mesh, const RuleResult& result, double factor,
+                            ColourMap map) {
   std::vector<double> values = result.field.value;
   for (double& value : values) value *= factor;
   const std::optional<Limit> limit = displayed(result.rule.require.limit, factor);
   const DisplayRange range = display_range(values, areas_of(result.field, mesh), limit);
-  return {range.low, range.high, limit, ColourMap::by_limit};
+  return {range.low, range.high, limit, map};
 }
 
-Colouring colouring(const TriangleMesh& mesh, const RuleResult& result) {
+Colouring colouring(const TriangleMesh& mesh, const RuleResult& result, ColourMap map) {
   const double factor = display_factor(result.rule.require);
   Colouring c;
   c.facets.assign(mesh.facet_count(), palette::out_of_reach);
   c.by_value = shows_values(mesh, result);
-  if (c.by_value) c.scale = scale_of(mesh, result, factor);
+  if (c.by_value) c.scale = scale_of(mesh, result, factor, map);
   for (std::size_t i = 0; i < std::min(result.facet_verdicts.size(), result.field.size()); ++i) {
     const FacetVerdict verdict = result.facet_verdicts[i];
     // What is undecided stands out, whatever its value.

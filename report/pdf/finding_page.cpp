@@ -7,13 +7,18 @@
 
 #include "report/finding_text.h"
 #include "report/pdf/badge.h"
+#include "report/pdf/ball_section.h"
 #include "report/pdf/words.h"
 
 namespace gabarit::pdf {
 
 namespace {
 
-constexpr double close_up_height = 122, place_width = 98, place_height = place_width / view_aspect;  // mm
+constexpr double close_up_height = 122, place_width = 98;  // mm
+// With a section: a lower close-up, below it the section on the left and the place on the right.
+constexpr double low_close_up_height = 84, section_width = 98, section_height = 104,
+                 right_column = margin_left + section_width + 6,
+                 right_width = content_width - section_width - 6;
 constexpr double close_up_share = 0.8;  // of the resolution: it shows few facets
 
 // Wide enough to hold the finding when that still shows it, never so near that nobody knows the place.
@@ -48,21 +53,22 @@ Vec3d focus(const Book& book, const Finding& finding) {
   return book.model().box.empty() ? Vec3d{} : book.model().box.centre();
 }
 
-void draw_close_up(Book& book, const RuleResult& result, const Finding& finding, const Colouring& colouring) {
+void draw_close_up(Book& book, const RuleResult& result, const Finding& finding, const Colouring& colouring,
+                   double height) {
   Flow& flow = book.flow;
   const TriangleMesh& mesh = book.model().mesh;
   std::vector<std::uint8_t> emphasis(mesh.facet_count(), 0);
   for (const FacetId f : finding.facets) emphasis[f] = 1;
   const Vec3d outward = facet_normal(mesh, finding.worst.facet);
   const std::vector<std::uint8_t> marked = marks(mesh, {&result, 1});
-  ModelView view{{margin_left, flow.y(), content_width, close_up_height}, {}, colouring.facets, marked};
+  ModelView view{{margin_left, flow.y(), content_width, height}, {}, colouring.facets, marked};
   view.camera = close_up(focus(book, finding), outward, book.setup_of(result).frame,
-                         close_up_extent(book.model().box, finding.box), content_width / close_up_height);
+                         close_up_extent(book.model().box, finding.box), content_width / height);
   view.emphasis = emphasis;
   view.share = close_up_share;
   draw_view(book, view, "Close-up: in full colour the facets of this finding, ringed the worst place");
   mark_place(book, view, finding.worst.at, 4);
-  flow.skip(close_up_height + caption_height + 2.5);
+  flow.skip(height + caption_height + 2.5);
 }
 
 // The fixed view that looks at the place most squarely.
@@ -73,10 +79,10 @@ const DrawnView& facing_view(const Book& book, const Finding& finding, const std
                            [&](const DrawnView& a, const DrawnView& b) { return squarely(a) < squarely(b); });
 }
 
-void draw_place(Book& book, const Finding& finding, const std::vector<DrawnView>& views) {
-  Flow& flow = book.flow;
+void draw_place(Book& book, Place at, double width, const Finding& finding,
+                const std::vector<DrawnView>& views) {
   const DrawnView& facing = facing_view(book, finding, views);
-  ModelView view{{margin_left, flow.y(), place_width, place_height}, facing.view.camera, {}};
+  ModelView view{{at.x, at.y, width, width / view_aspect}, facing.view.camera, {}};
   view.image = facing.image;
   draw_view(book, view, "Place on the part, " + facing.view.name);
   mark_place(book, view, finding.worst.at, 3);
@@ -106,11 +112,10 @@ std::vector<Fact> facts(const Book& book, const RuleResult& result, const Findin
   return list;
 }
 
-void draw_facts(Book& book, const std::vector<Fact>& list) {
+void draw_facts(Book& book, Place at, const std::vector<Fact>& list) {
   Flow& flow = book.flow;
-  const double x = margin_left + place_width + 6, value_x = x + 22,
-               width = page_width - margin_right - value_x;
-  double y = flow.y() + 2.8;
+  const double x = at.x, value_x = x + 22, width = page_width - margin_right - value_x;
+  double y = at.y + 2.8;
   for (const Fact& fact : list) {
     flow.canvas().text({x, y}, fact.name, label_text);
     for (const std::string& line : wrap(flow.fonts(), fact.value, small_text, width, 2)) {
@@ -139,9 +144,17 @@ void add_finding_page(Book& book, const RuleResult& result, const Finding& findi
                      fitted(flow.fonts(), result.rule.title, rule_title, content_width - 30), rule_title);
   flow.skip(3.5);
   draw_number(book, result, finding);
-  draw_close_up(book, result, finding, colouring);
-  draw_place(book, finding, views);
-  draw_facts(book, facts(book, result, finding));
+  const auto ball = worst_ball(book.model().mesh, result, finding.worst);
+  draw_close_up(book, result, finding, colouring, ball ? low_close_up_height : close_up_height);
+  const double y = flow.y();
+  if (ball) {
+    draw_ball_section(book, {margin_left, y, section_width, section_height}, result, *ball);
+    draw_place(book, {right_column, y}, right_width, finding, views);
+    const double below = y + right_width / view_aspect + caption_height + 1.5;
+    return draw_facts(book, {right_column, below}, facts(book, result, finding));
+  }
+  draw_place(book, {margin_left, y}, place_width, finding, views);
+  draw_facts(book, {margin_left + place_width + 6, y}, facts(book, result, finding));
 }
 
 }  // namespace gabarit::pdf

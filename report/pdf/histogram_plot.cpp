@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "report/histogram.h"
+#include "report/distribution.h"
 #include "report/number_text.h"
-#include "report/pdf/colouring.h"
+#include "report/palette.h"
 #include "report/pdf/words.h"
 #include "report/ticks.h"
 
@@ -62,45 +62,24 @@ void draw_limit(Canvas& canvas, const Plot& plot, double limit, const std::strin
        : canvas.text({x + 1, plot.area.y - 2.5}, text, small_strong_text);
 }
 
-std::string percent(const Histogram& h, double area) { return fmt::format("{:.1f} %", 100 * h.share(area)); }
-
-void add_figures(Flow& flow, const Histogram& h, const std::string& unit) {
-  const auto value = [&](double v) {
-    return std::isfinite(v) ? number_text(v) + " " + unit : number_text(v);
-  };
-  flow.paragraph(fmt::format("Least {}, greatest {}, mean of the finite values {} (weighted by area). By "
-                             "value alone, {} lies beyond the limit ({} of the area "
-                             "examined); what fails is decided by the bounds. Outside the plot: {} below, {} "
-                             "above{}; without a value: {}.",
-                             value(h.minimum), value(h.maximum), value(h.mean), area_text(h.critical_area),
-                             percent(h, h.critical_area), area_text(h.area_below), area_text(h.area_above),
-                             " (values without bound included)", area_text(h.area_without)),
-                 small_text);
-}
-
 }  // namespace
 
 void add_histogram(Book& book, const RuleResult& result) {
-  const double factor = display_factor(result.rule.require);
-  std::vector<double> values = result.field.value;
-  for (double& value : values) value *= factor;
-  if (std::none_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); })) return;
-  const std::optional<Limit> limit = displayed(result.rule.require.limit, factor);
-  const std::vector<double> areas = areas_of(result.field, book.model().mesh);
-  const Histogram h = histogram(values, areas, display_range(values, areas, limit), limit);
+  const std::optional<Histogram> h = distribution(result, book.model().mesh);
+  if (!h) return;
+  const Limit limit = displayed(result.rule.require.limit, display_factor(result.rule.require));
   Flow& flow = book.flow;
-  flow.need(plot_height + 45);
+  flow.need(plot_height + 30);
   flow.subheading("Distribution");
-  Plot plot{{margin_left + 16, flow.y() + 8, content_width - 18, plot_height}, h.low(), h.high(), 0};
-  for (const HistogramBin& bin : h.bins) plot.most = std::max(plot.most, bin.area);
+  Plot plot{{margin_left + 16, flow.y() + 8, content_width - 18, plot_height}, h->low(), h->high(), 0};
+  for (const HistogramBin& bin : h->bins) plot.most = std::max(plot.most, bin.area);
   plot.most = plot.most > 0 ? plot.most * 1.05 : 1;
   const std::string unit = unit_text(result.rule.require);
   draw_axes(flow.canvas(), plot, measure_text(result.rule.require) + (unit.empty() ? "" : ", " + unit));
-  draw_bars(flow.canvas(), plot, h);
-  if (limit->kind != Limit::Kind::at_most) draw_limit(flow.canvas(), plot, limit->low, unit);
-  if (limit->kind != Limit::Kind::at_least) draw_limit(flow.canvas(), plot, limit->high, unit);
+  draw_bars(flow.canvas(), plot, *h);
+  if (limit.kind != Limit::Kind::at_most) draw_limit(flow.canvas(), plot, limit.low, unit);
+  if (limit.kind != Limit::Kind::at_least) draw_limit(flow.canvas(), plot, limit.high, unit);
   flow.skip(8 + plot_height + 11);
-  add_figures(flow, h, unit);
 }
 
 }  // namespace gabarit::pdf

@@ -5,7 +5,7 @@
 
 namespace gabarit::pdf {
 
-// With the limit marked and the figures below; nothing when no facet has a finite value.
+// With the limit marked; nothing when no facet has a finite value.
 void add_histogram(Book& book, const RuleResult& result);
 
 }  // namespace gabarit::pdf

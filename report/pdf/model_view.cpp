@@ -36,9 +36,9 @@ std::vector<NamedView> views_for(const Area& area, const TriangleMesh& mesh, con
 }
 
 // Its label left of it, both at the right of the caption's line.
-static void draw_scale_bar(Canvas& canvas, const ModelView& view, const ScaleBar& bar) {
-  const double length = bar.share * view.area.width;
-  const double x = view.area.x + view.area.width - length, y = view.area.y + view.area.height + 2.3;
+static void draw_scale_bar(Canvas& canvas, const Area& area, const ScaleBar& bar) {
+  const double length = bar.share * area.width;
+  const double x = area.x + area.width - length, y = area.y + area.height + 2.3;
   for (int i = 0; i < bar.divisions; ++i) {
     const Area part{x + length * i / bar.divisions, y, length / bar.divisions, 1};
     canvas.fill(part, i % 2 == 0 ? ink : white);
@@ -88,20 +88,27 @@ static HPDF_Image rendered(Book& book, const ModelView& view) {
       render(drawing, view.camera, pixels(view.area.width), pixels(view.area.height), book.options->device));
 }
 
+void draw_frame(Canvas& canvas, const Area& area, const Camera& camera, const std::string& caption) {
+  const ScaleBar bar = scale_bar(camera);
+  draw_scale_bar(canvas, area, bar);
+  canvas.frame(area, hairline);
+  const double width = (1 - bar.share) * area.width - canvas.width(bar.label, label_text) - 5;
+  canvas.text({area.x, area.y + area.height + 3.6}, fitted(canvas.fonts(), caption, label_text, width),
+              label_text);
+}
+
 HPDF_Image draw_view(Book& book, const ModelView& view, const std::string& caption) {
   Canvas& canvas = book.flow.canvas();
-  const ScaleBar bar = scale_bar(view.camera);
-  HPDF_Image image = nullptr;
-  if (!book.model().box.empty()) {
-    image = view.image != nullptr ? view.image : rendered(book, view);
-    canvas.picture(view.area, image);
-    draw_scale_bar(canvas, view, bar);
-    draw_triad(canvas, view);
+  if (book.model().box.empty()) {
+    canvas.frame(view.area, hairline);
+    canvas.text({view.area.x, view.area.y + view.area.height + 3.6},
+                fitted(canvas.fonts(), caption, label_text, view.area.width), label_text);
+    return nullptr;
   }
-  canvas.frame(view.area, hairline);
-  const double width = (1 - bar.share) * view.area.width - canvas.width(bar.label, label_text) - 5;
-  canvas.text({view.area.x, view.area.y + view.area.height + 3.6},
-              fitted(book.flow.fonts(), caption, label_text, width), label_text);
+  const HPDF_Image image = view.image != nullptr ? view.image : rendered(book, view);
+  canvas.picture(view.area, image);
+  draw_triad(canvas, view);
+  draw_frame(canvas, view.area, view.camera, caption);
   return image;
 }
 

@@ -34,6 +34,8 @@ std::vector<NamedView> views_for(const Area& area, const Box3d& box, const Frame
 // Framed by what is there, not by its box: views across the axes come closer.
 std::vector<NamedView> views_for(const Area& area, const TriangleMesh& mesh, const Frame& frame);
 
+// Around what was drawn to the scale of a camera: frame, and below it the caption and the scale bar.
+void draw_frame(Canvas& canvas, const Area& area, const Camera& camera, const std::string& caption);
 // An empty frame (and null) when the model has no box. The caption and the scale bar stand below it.
 HPDF_Image draw_view(Book& book, const ModelView& view, const std::string& caption);
 

@@ -9,6 +9,7 @@
 #include "report/pdf/findings_table.h"
 #include "report/pdf/histogram_plot.h"
 #include "report/pdf/method_page.h"
+#include "report/pdf/ranges_table.h"
 #include "report/pdf/rule_views.h"
 #include "report/pdf/words.h"
 
@@ -29,10 +30,11 @@ static void add_findings(Book& book, const RuleResult& result) {
 static void add_chapter(Book& book, const RuleResult& result) {
   add_method_page(book, result);
   if (!has_pictures(result.verdict)) return;
-  const Colouring colours = colouring(book.model().mesh, result);
+  const Colouring colours = colouring(book.model().mesh, result, book.options->palette);
   const std::vector<DrawnView> views = add_views_page(book, result, colours);
   book.flow.begin_page("Rule " + result.rule.id);
   add_histogram(book, result);
+  add_ranges(book, result);
   add_findings(book, result);
   for (std::size_t i = 0; i < book.finding_pages(result); ++i) {
     add_finding_page(book, result, result.findings[i], colours, views);

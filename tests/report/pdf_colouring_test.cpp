@@ -4,6 +4,7 @@
 
 #include "report/pdf/colouring.h"
 #include "tests/report/sample_report.h"
+#include "tests/report/wall_report.h"
 
 namespace gabarit::pdf {
 namespace {
@@ -46,6 +47,25 @@ TEST(colouring, of_a_radius_that_flat_parts_do_not_have_is_by_verdict) {
   EXPECT_FALSE(
       colouring(sample.model.mesh, measured_everywhere(sample, std::numeric_limits<double>::infinity()))
           .by_value);
+}
+
+TEST(colouring, of_gaps_is_by_value_though_most_of_a_part_has_none) {
+  const auto blocks = shapes::joined(shapes::gridded_box({0, 0, 0}, {20, 20, 10}, 5),
+                                     shapes::gridded_box({0, 0, 10.6}, {20, 20, 20}, 5));
+  const WallReport wall(blocks, {Limit::Kind::at_least, 1, 0}, "clearance");
+  const Colouring c = colouring(wall.model.mesh, wall.rule());
+  EXPECT_TRUE(c.by_value);
+  for (std::size_t i = 0; i < wall.rule().field.size(); ++i) {
+    const double value = wall.rule().field.value[i];
+    EXPECT_EQ(c.facets[wall.rule().field.facets[i]], c.scale.colour(value > 100 ? c.scale.high : value));
+  }
+}
+
+TEST(colouring, takes_the_colours_that_are_asked_for) {
+  const WallReport wall(shapes::box({0, 0, 0}, {20, 20, 2}), {Limit::Kind::at_least, 3, 0});
+  const Colouring c = colouring(wall.model.mesh, wall.rule(), ColourMap::red_to_blue);
+  EXPECT_EQ(c.scale.map, ColourMap::red_to_blue);
+  EXPECT_EQ(c.facets[0], c.scale.colour(wall.rule().field.value[0]));
 }
 
 TEST(marks, keep_what_fails_or_is_undecided_for_any_rule_visible) {

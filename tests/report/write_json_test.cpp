@@ -26,7 +26,12 @@ TEST(results_json, has_the_keys_of_the_contract_in_their_order) {
   EXPECT_THAT(keys(json["rulesets"][0]), ElementsAre("id", "revision", "sha256"));
   EXPECT_THAT(keys(json["rules"][1]),
               ElementsAre("id", "title", "clause", "severity", "verdict", "reason", "facets_examined",
-                          "area_examined", "facets_failed", "worst", "limit", "findings"));
+                          "area_examined", "facets_failed", "worst", "limit", "findings", "statistics"));
+  EXPECT_THAT(keys(json["rules"][1]["statistics"]),
+              ElementsAre("minimum", "maximum", "mean", "critical_area", "failed_area", "undecided_area",
+                          "area_without_value", "ranges"));
+  EXPECT_THAT(keys(json["rules"][1]["statistics"]["ranges"][0]),
+              ElementsAre("from", "to", "area", "share", "critical"));
   EXPECT_THAT(keys(json["rules"][1]["worst"]), ElementsAre("value", "lower", "upper", "unit", "at", "facet"));
   EXPECT_THAT(keys(json["rules"][1]["findings"][0]),
               ElementsAre("id", "verdict", "facets", "area", "worst", "centroid", "box"));
@@ -45,6 +50,10 @@ TEST(results_json, says_what_was_found) {
   EXPECT_EQ(json["rules"][1]["limit"]["at_least"], 4.0);
   EXPECT_EQ(json["rules"][4]["verdict"], "not_run");
   EXPECT_EQ(json["rules"][4]["worst"], nullptr);
+  EXPECT_EQ(json["rules"][4]["statistics"], nullptr);
+  EXPECT_EQ(json["rules"][1]["statistics"]["minimum"], 1.25);
+  EXPECT_EQ(json["rules"][1]["statistics"]["ranges"][4]["from"], 4.0);
+  EXPECT_EQ(json["rules"][1]["statistics"]["ranges"][7]["to"], 20.0);
   EXPECT_EQ(json["totals"]["planned"], 5);
   EXPECT_EQ(json["totals"]["not_run"], 1);
 }
