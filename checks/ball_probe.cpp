@@ -73,8 +73,7 @@ class BallProbe {
   }
 
   CellAnswer answer(const CellQuery& query, const SphereContact& found) const {
-    CellAnswer answer{2 * found.radius, 2 * found.lower, 2 * found.upper, infinity, found.contact,
-                      Absence::none,    std::nullopt};
+    CellAnswer answer{2 * found.radius, 2 * found.lower, 2 * found.upper, infinity, found.contact};
     if (found.primitive == SphereContact::none) {
       // A part has an end; a gap need not.
       const bool capped = options_.greatest < 4 * surface_->size;

@@ -49,7 +49,6 @@ class BallStartSearch {
         point_(point),
         direction_(direction),
         bound_(bound),
-        cosine_(options.cos_separation),
         own_(own),
         tried_(tried),
         group_(group),
@@ -83,18 +82,19 @@ class BallStartSearch {
  private:
   GABARIT_HD TangentBall ball_of(const Primitive& p) const {
     const Vec3d a = tree_.corner(p, 0) - point_, b = tree_.corner(p, 1) - point_;
-    if (!Group::of_facets) return ball_through_segment(direction_, a, b);
-    const double facing = static_cast<double>(p.normal.x) * direction_.x +
-                          static_cast<double>(p.normal.y) * direction_.y +
-                          static_cast<double>(p.normal.z) * direction_.z;
-    if (facing < -cosine_ - 1e-6) return {};
-    return ball_through_triangle(direction_, a, b, tree_.corner(p, 2) - point_,
-                                 std::numeric_limits<double>::infinity());
+    if constexpr (Group::of_facets) {
+      if (!group_.counts(p, direction_, tried_)) return {};
+      return ball_through_triangle(direction_, a, b, tree_.corner(p, 2) - point_,
+                                   std::numeric_limits<double>::infinity());
+    } else {
+      const TangentBall ball = ball_through_segment(direction_, a, b);
+      return group_.counts(p, direction_, ball) ? ball : TangentBall{};
+    }
   }
 
   const BvhView& tree_;
   Vec3d point_, direction_;
-  double bound_, cosine_;
+  double bound_;
   std::uint32_t own_;
   const TriedStarts& tried_;
   const Group& group_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gpu/parallel_for.h"
 #include "model/brep_tangent_ball.h"
 
 namespace gabarit {
@@ -75,6 +76,7 @@ class Chords {
     for (std::size_t side = 0; side < 2; ++side) {
       if (edge.faces[side] == no_number) continue;
       chord.at[side] = {on_face(edge.faces[side], a), on_face(edge.faces[side], b)};
+      add_normals(side, (first + last) / 2, chord);
     }
     const auto id = static_cast<std::uint32_t>(chords_.size());
     const auto corner = static_cast<std::uint32_t>(surface_.points.size());
@@ -84,6 +86,23 @@ class Chords {
                                    .normal = {},
                                    .sag = static_cast<float>(margin * sag + edge.tolerance)});
     chords_.push_back(chord);
+  }
+
+  void add_normals(std::size_t side, double middle, EdgeChord& chord) const {
+    const FaceId face = brep_.edges[chord.edge].faces[side];
+    const auto [a, b] = chord.at[side];
+    const Vec3d p = point(chord.edge, middle).p;
+    const Parameters m =
+        nearest_parameters(arrays_, brep_.faces[face], p, {(a.u + b.u) / 2, (a.v + b.v) / 2});
+    const auto normal = [&](Parameters at) {
+      return outward_normal(face_point(arrays_, brep_.faces[face], at), brep_.faces[face].sign);
+    };
+    const Vec3d n = chord.normal[side] = normal(m);
+    for (const Parameters& end : {a, b}) {
+      const Vec3d other = normal(end);
+      if (other != Vec3d{})
+        chord.lean = std::max(chord.lean, std::atan2(length(cross(n, other)), dot(n, other)));
+    }
   }
 
   Parameters on_face(FaceId face, const Vec3d& p) const {
@@ -109,6 +128,28 @@ EdgeChords edge_chords(const Model& model, const Device& device) {
   Chords chords(model);
   for (EdgeId e = 0; e < model.brep->edges.size(); ++e) chords.add(e);
   return chords.done(device);
+}
+
+std::vector<float> facet_leans(const Model& model, const Device& device) {
+  const Brep& brep = *model.brep;
+  const BrepView arrays = view(brep);
+  std::vector<float> leans(brep.facets.size());
+  const auto lean = [&](std::int64_t i) {
+    constexpr std::array<std::array<double, 2>, 4> places{{{1. / 3, 1. / 3}, {0, 0}, {1, 0}, {0, 1}}};
+    const auto f = static_cast<FacetId>(i);
+    const FacetOrigin& origin = brep.facets[f];
+    const Face& face = brep.faces[origin.face];
+    const Vec3d own = facet_normal(model.mesh, f);
+    double widest = 0;
+    for (const auto& [v, w] : places) {
+      const Vec3d n =
+          outward_normal(face_point(arrays, face, parameters_at(origin, 1 - v - w, v, w)), face.sign);
+      if (n != Vec3d{}) widest = std::max(widest, std::atan2(length(cross(own, n)), dot(own, n)));
+    }
+    leans[f] = static_cast<float>(widest);
+  };
+  parallel_for_cpu(device, static_cast<std::int64_t>(leans.size()), lean, 1024);
+  return leans;
 }
 
 }  // namespace gabarit

@@ -55,6 +55,8 @@ struct ExactBallScene {
   BrepView brep;
   BvhView facets;
   View<const FacetOrigin> origins;
+  View<const float> leans;  // by facet, see facet_leans
+  double widest_lean = 0;
   BvhView edges;
   View<const EdgeChord> chords;
 };

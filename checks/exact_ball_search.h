@@ -3,22 +3,56 @@
 
 #include "checks/ball_starts.h"
 #include "checks/exact_ball.h"
-#include "model/brep_tangent_ball.h"
+#include "checks/separation_line.h"
 
 namespace gabarit {
 
-// Facets lean away from the normals of the surface by up to half the angle that OpenCASCADE is asked for.
-constexpr double facet_lean = 0.19;  // radians
+GABARIT_HD inline double angle_of(double cosine) {
+  return std::acos(cosine < -1 ? -1.0 : cosine > 1 ? 1.0 : cosine);
+}
 
 struct FaceOfFacet {
   static constexpr bool of_facets = true;
   View<const FacetOrigin> origins;
+  View<const float> leans;
+  double greatest_angle;  // between a contact's normal and the direction
+
   GABARIT_HD FaceId operator()(std::uint32_t id) const { return origins[id].face; }
+  // Some of the surface behind the facet turns away far enough; on a face that was tried, all of it must:
+  // what lies on the line between was looked at.
+  GABARIT_HD bool counts(const Primitive& p, const Vec3d& direction, const TriedStarts& tried) const {
+    const double facing = static_cast<double>(p.normal.x) * direction.x +
+                          static_cast<double>(p.normal.y) * direction.y +
+                          static_cast<double>(p.normal.z) * direction.z;
+    const double angle = angle_of(facing);
+    const double lean = static_cast<double>(leans[p.id]) + 1e-6;
+    return angle - lean <= greatest_angle &&
+           (angle + lean <= greatest_angle || !tried.has_group((*this)(p.id)));
+  }
 };
 struct EdgeOfChord {
   static constexpr bool of_facets = false;
   View<const EdgeChord> chords;
+  View<const Edge> edges;
+  double sign, greatest_angle;
+
   GABARIT_HD EdgeId operator()(std::uint32_t id) const { return chords[id].edge; }
+  GABARIT_HD bool reflex(const Edge& edge) const {
+    return edge.kind == EdgeKind::mixed || edge.kind == (sign > 0 ? EdgeKind::concave : EdgeKind::convex);
+  }
+  // One of the faces may turn away far enough; or the edge is reflex and the ball comes from between them.
+  GABARIT_HD bool counts(const Primitive& p, const Vec3d& direction, const TangentBall& ball) const {
+    const EdgeChord& chord = chords[p.id];
+    const double lean = chord.lean * 1.5 + 1e-6;
+    for (const Vec3d& n : chord.normal)
+      if (n != Vec3d{} && angle_of(sign * dot(n, direction)) - lean <= greatest_angle) return true;
+    if (!reflex(edges[chord.edge])) return false;
+    const Vec3d outward = (ball.contact - ball.radius * direction) / ball.radius;
+    if (angle_of(dot(outward, direction)) - 0.1 > greatest_angle) return false;
+    const double bend = angle_of(dot(chord.normal[0], chord.normal[1]));
+    return angle_of(sign * dot(outward, chord.normal[0])) + angle_of(sign * dot(outward, chord.normal[1])) <=
+           bend + 2 * lean + 0.3;
+  }
 };
 
 class ExactBallSearch {
@@ -45,30 +79,49 @@ class ExactBallSearch {
       more = next_facet(facets);
       if (!more) more = next_chord(chords);
     }
-    ball.verified = !more && ball.kind != BallContact::separation;
+    ball.verified = !more;
   }
 
   ExactBall ball;
 
  private:
+  // Between a contact's normal and the direction.
+  GABARIT_HD double greatest_angle() const { return angle_of(-options_.cos_separation); }
   GABARIT_HD bool eligible(const Vec3d& normal) const {
     return dot(normal, query_.direction) >= -options_.cos_separation - 1e-9;
   }
 
   GABARIT_HD bool next_facet(TriedStarts& tried) {
+    constexpr double pi = 3.14159265358979323846;
+    const double angle = greatest_angle();
     SphereOptions slack;
-    const double separation = std::acos(options_.cos_separation) - facet_lean;
-    slack.cos_separation = separation > 0 ? std::cos(separation) : 1;
-    const FaceOfFacet face_of{scene_.origins};
+    slack.cos_separation = angle + scene_.widest_lean < pi ? -std::cos(angle + scene_.widest_lean) : 1;
+    const FaceOfFacet face_of{scene_.origins, scene_.leans, angle};
     BallStartSearch<FaceOfFacet> search(scene_.facets, slack, query_.point, query_.direction, bound_,
                                         query_.facet, tried, face_of);
     traverse(scene_.facets, search);
     if (search.start.primitive == no_child) return false;
     const Primitive& p = scene_.facets.primitives[search.start.primitive];
     const FacetOrigin& origin = scene_.origins[p.id];
-    tried.add(p.id, origin.face);
-    try_face(origin.face, parameters_of(p, origin, search.start.contact));
+    const Parameters start = eligible_start(origin, parameters_of(p, origin, search.start.contact));
+    const bool settled = faces_away(scene_.brep.faces[origin.face], start) && try_face(origin.face, start);
+    tried.add(p.id, settled ? origin.face : no_number);
     return true;
+  }
+
+  // A place on the facet where the surface turns away far enough, if there is one: `start`, or a corner.
+  GABARIT_HD Parameters eligible_start(const FacetOrigin& origin, Parameters start) const {
+    const Face& face = scene_.brep.faces[origin.face];
+    if (faces_away(face, start)) return start;
+    Parameters best = start;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Parameters& corner : origin.corners) {
+      if (!faces_away(face, corner)) continue;
+      const double radius =
+          ball_radius(face_point(scene_.brep, face, corner).p - query_.point, query_.direction);
+      if (radius < least) best = corner, least = radius;
+    }
+    return best;
   }
 
   GABARIT_HD Parameters parameters_of(const Primitive& p, const FacetOrigin& origin, const Vec3d& q) const {
@@ -81,14 +134,15 @@ class ExactBallSearch {
     return parameters_at(origin, 1 - v - w, v, w);
   }
 
-  GABARIT_HD void try_face(FaceId id, Parameters start) {
+  // False when the way down leaves the face: then one start does not speak for the others.
+  GABARIT_HD bool try_face(FaceId id, Parameters start) {
     const Face& face = scene_.brep.faces[id];
     const BallFoot foot = foot_on_surface(scene_.brep, face, query_.point, query_.direction, start);
     count(foot);
-    if (!(foot.radius < bound_)) return;
     if (!faces_away(face, foot.at)) return try_separation(id, start, foot.at);
-    if (trim_side(scene_.brep, id, foot.at) == TrimSide::inside)
-      record(foot, BallContact::face, id, no_number, face.tolerance);
+    if (trim_side(scene_.brep, id, foot.at) != TrimSide::inside) return false;
+    record(foot, BallContact::face, id, no_number, face.tolerance);
+    return true;
   }
 
   GABARIT_HD bool faces_away(const Face& face, Parameters at) const {
@@ -96,24 +150,27 @@ class ExactBallSearch {
     return eligible(outward_normal(s, options_.sign * face.sign));
   }
 
-  // Downhill the normal turns too little at last: the way there is followed as far as it turns enough.
-  GABARIT_HD void try_separation(FaceId id, Parameters from, Parameters to) {
+  // Downhill the normal turns too little at last: the least value lies where it turns just enough. From the
+  // place where the way down crosses that line, along it.
+  GABARIT_HD bool try_separation(FaceId id, Parameters from, Parameters to) {
     const Face& face = scene_.brep.faces[id];
-    if (!faces_away(face, from)) return;
-    for (int i = 0; i < 30; ++i) {
+    if (!faces_away(face, from)) return false;
+    for (int i = 0; i < 40; ++i) {
       const Parameters middle{(from.u + to.u) / 2, (from.v + to.v) / 2};
       (faces_away(face, middle) ? from : to) = middle;
     }
-    if (trim_side(scene_.brep, id, from) != TrimSide::inside) return;
-    BallFoot foot;
-    foot.at = from, foot.contact = face_point(scene_.brep, face, from).p;
-    foot.radius = ball_radius(foot.contact - query_.point, query_.direction);
+    const SeparationLine line{
+        scene_.brep, face, options_.sign, query_.point, query_.direction, -options_.cos_separation};
+    const BallFoot foot = line.least_from(from);
+    count(foot);
+    if (trim_side(scene_.brep, id, foot.at) != TrimSide::inside) return false;
     record(foot, BallContact::separation, id, no_number, face.tolerance);
+    return true;
   }
 
   GABARIT_HD bool next_chord(TriedStarts& tried) {
     const SphereOptions any;
-    const EdgeOfChord edge_of{scene_.chords};
+    const EdgeOfChord edge_of{scene_.chords, scene_.brep.edges, options_.sign, greatest_angle()};
     BallStartSearch<EdgeOfChord> search(scene_.edges, any, query_.point, query_.direction, bound_, no_child,
                                         tried, edge_of);
     traverse(scene_.edges, search);
@@ -152,9 +209,7 @@ class ExactBallSearch {
       normal[side] = outward_normal(face_point(scene_.brep, face, at), options_.sign * face.sign);
       if (normal[side] != Vec3d{} && eligible(normal[side])) return true;
     }
-    const bool reflex = edge.kind == EdgeKind::mixed ||
-                        edge.kind == (options_.sign > 0 ? EdgeKind::concave : EdgeKind::convex);
-    if (!reflex) return false;
+    if (!EdgeOfChord{{}, {}, options_.sign, 0}.reflex(edge)) return false;
     const Vec3d outward = (foot.contact - query_.point - foot.radius * query_.direction) / foot.radius;
     if (!eligible(outward)) return false;
     // Between the normals of its faces: the surface leaves the ball on both sides.

@@ -3,17 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/brep_curvature.h"
+#include "model/brep_trim.h"
+
 namespace gabarit {
 namespace {
 
 constexpr double floor_share = 1e-6;  // of the model's size: contacts nearer than that are the surface itself
 constexpr double rounding = 1e-9;     // mm, and as a share of the value
 
+double widest(const std::vector<float>& leans) {
+  return leans.empty() ? 0 : static_cast<double>(*std::max_element(leans.begin(), leans.end()));
+}
+
 ExactBallScene ball_scene(const Scene& scene, const ContactSurface& surface) {
   const Brep& brep = *scene.model().brep;
   return {.brep = view(brep),
           .facets = surface.tree.view(),
           .origins = view(std::span<const FacetOrigin>(brep.facets)),
+          .leans = view(std::span<const float>(scene.facet_leans())),
+          .widest_lean = widest(scene.facet_leans()),
           .edges = scene.edges().tree.view(),
           .chords = view(std::span<const EdgeChord>(scene.edges().chords))};
 }
@@ -50,7 +59,10 @@ std::vector<ExactWall> ExactWalls::measure(std::span<const FacetPlace> places) c
     const SurfacePoint s = face_point(balls_.brep, face, parameters_at(origin, 1 - v - w, v, w));
     const Vec3d normal = outward_normal(s, face.sign);
     walls[i].at = s.p;
-    walls[i].measured = normal != Vec3d{};
+    // Facets hang over the rims of holes, where there is no surface.
+    walls[i].measured =
+        normal != Vec3d{} &&
+        trim_side(balls_.brep, origin.face, parameters_at(origin, 1 - v - w, v, w)) == TrimSide::inside;
     if (!walls[i].measured) continue;
     const PrincipalCurvatures k = principal_curvatures(s, face.sign);
     queries.push_back({s.p, normal * -ball_options_.sign, places[i].facet,

@@ -35,7 +35,8 @@ struct CellAnswer {
   double greatest = 0;  // over the cell
   Vec3d contact;
   Absence absence = Absence::none;
-  std::optional<Vec3d> at;  // where on the surface itself the value holds; without it the cell's point
+  std::optional<Vec3d> at =
+      std::nullopt;  // where on the surface itself the value holds; without it the cell's point
 };
 
 using Probe = std::function<void(std::span<const CellQuery>, std::span<CellAnswer>)>;

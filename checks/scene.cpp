@@ -8,8 +8,9 @@ namespace gabarit {
 struct Scene::Shared {
   std::once_flag adjacency_built;
   std::unique_ptr<Adjacency> adjacency;
-  std::once_flag edges_built;
+  std::once_flag edges_built, leans_built;
   std::unique_ptr<EdgeChords> edges;
+  std::vector<float> leans;
   std::mutex surfaces_guard;
   std::map<SurfaceOptions, ContactSurface> surfaces;  // references stay good while it grows
 };
@@ -28,6 +29,11 @@ const EdgeChords& Scene::edges() const {
     shared_->edges = std::make_unique<EdgeChords>(edge_chords(model(), Device::cpu()));
   });
   return *shared_->edges;
+}
+
+const std::vector<float>& Scene::facet_leans() const {
+  std::call_once(shared_->leans_built, [this] { shared_->leans = gabarit::facet_leans(model(), device_); });
+  return shared_->leans;
 }
 
 const ContactSurface& Scene::surface(const SurfaceOptions& options) const {

@@ -25,8 +25,9 @@ class Scene {
   const Adjacency& adjacency() const;
   // The tree that balls and rays are sent through, by its options; built at the first call, safe likewise.
   const ContactSurface& surface(const SurfaceOptions& options) const;
-  // The edges of the model's exact surfaces, which it must have; built at the first call, safe likewise.
+  // Of the model's exact surfaces, which it must have; built at the first call, safe likewise.
   const EdgeChords& edges() const;
+  const std::vector<float>& facet_leans() const;
 
  private:
   struct Shared;
