@@ -74,10 +74,12 @@ class ExactBallSearch {
 
   GABARIT_HD void run() {
     TriedStarts facets, chords;
+    // A way down that leaves a face ends on its edges: they are looked at before more of its facets.
     bool more = true;
     while (more && !facets.full() && !chords.full()) {
-      more = next_facet(facets);
-      if (!more) more = next_chord(chords);
+      bool settled = false;
+      more = next_facet(facets, settled);
+      if (!more || !settled) more = next_chord(chords) || more;
     }
     ball.verified = !more;
   }
@@ -91,7 +93,7 @@ class ExactBallSearch {
     return dot(normal, query_.direction) >= -options_.cos_separation - 1e-9;
   }
 
-  GABARIT_HD bool next_facet(TriedStarts& tried) {
+  GABARIT_HD bool next_facet(TriedStarts& tried, bool& settled) {
     constexpr double pi = 3.14159265358979323846;
     const double angle = greatest_angle();
     SphereOptions slack;
@@ -104,7 +106,7 @@ class ExactBallSearch {
     const Primitive& p = scene_.facets.primitives[search.start.primitive];
     const FacetOrigin& origin = scene_.origins[p.id];
     const Parameters start = eligible_start(origin, parameters_of(p, origin, search.start.contact));
-    const bool settled = faces_away(scene_.brep.faces[origin.face], start) && try_face(origin.face, start);
+    settled = faces_away(scene_.brep.faces[origin.face], start) && try_face(origin.face, start);
     tried.add(p.id, settled ? origin.face : no_number);
     return true;
   }
@@ -187,13 +189,45 @@ class ExactBallSearch {
 
   GABARIT_HD void try_edge(const EdgeChord& chord, double part) {
     const Edge& edge = scene_.brep.edges[chord.edge];
-    const BallFoot foot = foot_on_edge(scene_.brep, edge, query_.point, query_.direction,
-                                       chord.first + part * (chord.last - chord.first));
+    const double start = chord.first + part * (chord.last - chord.first);
+    BallFoot foot = foot_on_edge(scene_.brep, edge, query_.point, query_.direction, start);
     count(foot);
-    if (!(foot.radius < bound_) || !touches(edge, chord, foot)) return;
+    if (!(foot.radius < bound_)) return;
+    BallContact kind = BallContact::edge;
     const double end = 1e-12 * (edge.last - edge.first);
-    const bool at_end = foot.at.u <= edge.first + end || foot.at.u >= edge.last - end;
-    record(foot, at_end ? BallContact::vertex : BallContact::edge, edge.faces[0], chord.edge, edge.tolerance);
+    if (foot.at.u <= edge.first + end || foot.at.u >= edge.last - end) kind = BallContact::vertex;
+    if (!touches(edge, chord, foot)) {
+      kind = BallContact::separation;
+      foot = last_that_touches(edge, chord, start, foot);
+    }
+    record(foot, kind, edge.faces[0], chord.edge, edge.tolerance);
+  }
+
+  GABARIT_HD BallFoot place_on(const Edge& edge, double t) const {
+    BallFoot foot;
+    foot.at = {t, 0}, foot.contact = curve_point(scene_.brep, scene_.brep.curves[edge.curve], t).p;
+    foot.radius = ball_radius(foot.contact - query_.point, query_.direction);
+    return foot;
+  }
+
+  // On the way from the chord down to a foot that does not count; without a radius when nothing there counts.
+  GABARIT_HD BallFoot last_that_touches(const Edge& edge, const EdgeChord& chord, double start,
+                                        const BallFoot& foot) const {
+    BallFoot best;
+    const double places[3] = {start, chord.first, chord.last};
+    for (const double t : places) {
+      const BallFoot here = place_on(edge, t);
+      if (here.radius < best.radius && touches(edge, chord, here)) best = here;
+    }
+    double to = foot.at.u;
+    for (int i = 0; i < 40 && best.radius < std::numeric_limits<double>::infinity(); ++i) {
+      const BallFoot middle = place_on(edge, (best.at.u + to) / 2);
+      if (touches(edge, chord, middle))
+        best = middle;
+      else
+        to = middle.at.u;
+    }
+    return best;
   }
 
   // Whether one of the edge's faces counts there or, on a reflex edge, the direction of the ball itself.
