@@ -10,7 +10,6 @@ namespace gabarit {
 namespace {
 
 constexpr double floor_share = 1e-6;  // of the model's size: contacts nearer than that are the surface itself
-constexpr double rounding = 1e-9;     // mm, and as a share of the value
 
 double widest(const std::vector<float>& leans) {
   return leans.empty() ? 0 : static_cast<double>(*std::max_element(leans.begin(), leans.end()));
@@ -29,11 +28,13 @@ ExactBallScene ball_scene(const Scene& scene, const ContactSurface& surface) {
 
 void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
   if (!wall.measured || answer.absence != Absence::none || !std::isfinite(wall.value)) return;
-  answer.value = wall.value;
+  // Facets and their sag know better: something was not found. They keep the word.
+  if (wall.value > answer.upper * (1 + 1e-6)) return;
+  answer.value = rounded_wall(wall.value);
   answer.at = wall.at;
   answer.contact = wall.ball.contact;
-  answer.upper = wall.value + wall.off;
-  const double lower = wall.value - wall.off;
+  answer.upper = answer.value + wall.off;
+  const double lower = answer.value - wall.off;
   answer.lower = extreme == Extreme::greatest && wall.ball.verified ? lower : std::min(answer.lower, lower);
   answer.greatest = std::max(answer.greatest, answer.upper);
 }
@@ -77,7 +78,7 @@ std::vector<ExactWall> ExactWalls::measure(std::span<const FacetPlace> places) c
     wall.value = 2 * ball.radius;
     const double ahead = dot(ball.contact - queries[i].point, queries[i].direction);
     const double by_edge = ball.edge == no_number ? 0 : 2 * ball.tolerance * ball.radius / ahead;
-    wall.off = rounding * (1 + wall.value) + (ball.kind == BallContact::none ? 0 : by_edge);
+    wall.off = ball.kind == BallContact::none ? 0 : by_edge;
   }
   return walls;
 }

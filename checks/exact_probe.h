@@ -1,6 +1,8 @@
 // Walls measured on the exact surfaces of a model: the values of another probe's cells, made exact.
 #pragma once
 
+#include <cmath>
+
 #include "checks/exact_ball.h"
 #include "checks/facet_cells.h"
 #include "checks/scene.h"
@@ -20,6 +22,9 @@ struct FacetPlace {
   FacetId facet = 0;
   std::array<double, 2> weights{1.0 / 3, 1.0 / 3};
 };
+
+// What is reported of exact walls: multiples of 1e-6 mm, so that a wall of 1 mm is not thinner than 1 mm.
+inline double rounded_wall(double value) { return std::round(value * 1e6) / 1e6; }
 
 // A wall as thick as a ball's diameter.
 struct ExactWall {

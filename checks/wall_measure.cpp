@@ -9,7 +9,7 @@
 
 #include "checks/ball_probe.h"
 #include "checks/buried.h"
-#include "checks/exact_probe.h"
+#include "checks/exact_refinement.h"
 #include "checks/ray_probe.h"
 
 namespace gabarit {
@@ -90,7 +90,8 @@ bool is_exact(const Scene& scene, const Arguments& arguments) {
 
 void add_exact_note(Field& field) {
   field.notes.push_back(
-      "Values are measured between the exact surfaces of the model, not between its facets.");
+      "Values are measured between the exact surfaces of the model, not between its facets. Where the limit "
+      "lies near, and at the thinnest places, the least value of each facet was looked for on its surface.");
 }
 
 // Thin places are looked at again when they may lie inside the part: those under the limit or, without one,
@@ -134,11 +135,15 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
                                    .greatest = greatest(arguments),
                                    .extreme = setup.extreme});
     probe = exact_probe(std::move(probe), *walls, setup.extreme);
+    options.limit = 0;  // what lies near it is looked for on the surfaces themselves
   }
   Field field = measure_cells(scene.mesh(), region, surface, options,
                               without_buried(std::move(probe), side, surface, setup));
   add_notes(field, side, options.step, arguments);
-  if (walls) add_exact_note(field);
+  if (walls) {
+    if (setup.extreme == Extreme::smallest) refine_least(field, scene, *walls, setup.limit);
+    add_exact_note(field);
+  }
   return field;
 }
 
