@@ -149,6 +149,7 @@ class CellMeasurement {
     query.direction = options_.side == Side::inside ? -n : n;
     query.across = options_.side == Side::inside ? -own : own;
     query.facet = f;
+    query.weights = {v, w};
     query.known = field_.value[cell.row];
     query.known_upper = field_.upper[cell.row];
     query.sag = surface_.sag[f];
@@ -172,7 +173,7 @@ class CellMeasurement {
       if (value < infinity || !smallest()) return;
     }
     value = answer.value;
-    field_.at[row] = query.point;
+    field_.at[row] = answer.at.value_or(query.point);
     field_.contact[row] = answer.contact;
   }
 

@@ -9,6 +9,7 @@
 
 #include "checks/ball_probe.h"
 #include "checks/buried.h"
+#include "checks/exact_refinement.h"
 #include "checks/ray_probe.h"
 
 namespace gabarit {
@@ -84,6 +85,16 @@ void add_notes(Field& field, Side side, double step, const Arguments& arguments)
         fmt::format("{} reach the greatest value looked for, {:g} mm.", count_text(capped), cap));
 }
 
+bool is_exact(const Scene& scene, const Arguments& arguments) {
+  return scene.model().brep && !by_ray(arguments) && arguments.text("normals") == "smooth";
+}
+
+void add_exact_note(Field& field) {
+  field.notes.push_back(
+      "Values are measured between the exact surfaces of the model, not between its facets. Where the limit "
+      "lies near, and at the thinnest places, the least value of each facet was looked for on its surface.");
+}
+
 // Thin places are looked at again when they may lie inside the part: those under the limit or, without one,
 // under a hundredth of the model.
 Probe without_buried(Probe probe, Side side, const ContactSurface& surface, const Setup& setup) {
@@ -116,10 +127,24 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
                       .extreme = setup.extreme,
                       .progress = setup.progress};
   if (arguments.has("step")) options.step = arguments.number("step");
-  Field field = measure_cells(
-      scene.mesh(), region, surface, options,
-      without_buried(probe_of(side, surface, scene.mesh(), setup.extreme, arguments), side, surface, setup));
+  Probe probe = probe_of(side, surface, scene.mesh(), setup.extreme, arguments);
+  std::optional<ExactWalls> walls;
+  if (is_exact(scene, arguments)) {
+    walls.emplace(scene, surface,
+                  ExactWallOptions{.side = side,
+                                   .separation = separation(arguments),
+                                   .greatest = greatest(arguments),
+                                   .extreme = setup.extreme});
+    probe = exact_probe(std::move(probe), *walls, setup.extreme);
+    options.limit = 0;  // what lies near it is looked for on the surfaces themselves
+  }
+  Field field = measure_cells(scene.mesh(), region, surface, options,
+                              without_buried(std::move(probe), side, surface, setup));
   add_notes(field, side, options.step, arguments);
+  if (walls) {
+    if (setup.extreme == Extreme::smallest) refine_least(field, scene, *walls, setup.limit);
+    add_exact_note(field);
+  }
   return field;
 }
 
