@@ -57,8 +57,9 @@ class BallStartSearch {
   }
 
   GABARIT_HD float limit() const { return culling_.probe(); }
-  GABARIT_HD void lower_bounds(const BvhNode& node, float (&lower)[tree_width]) const {
-    culling_.lower_bounds(node, lower);
+  template <class Boxes>
+  GABARIT_HD unsigned within(const Boxes& boxes, float (&lower)[tree_width]) const {
+    return culling_.within(boxes, culling_.probe(), lower);
   }
   GABARIT_HD void visit(const Primitive& p) {
     if (p.is_facet() != Group::of_facets || p.id == own_ || tried_.has(p.id)) return;
