@@ -127,6 +127,10 @@ std::vector<NamedSolid> solids() {
       {"part of a cone", BRepPrimAPI_MakeCone(10, 4, 20, 1).Shape()},
       {"elliptic prism", swept(ellipse)},
       {"splined prism", swept(within_a_spline())},
+      {"cylinder cut aslant",
+       step_shapes::minus(
+           step_shapes::cylinder(10, 40),
+           step_shapes::moved(step_shapes::turned(step_shapes::box(60, 60, 60), 30), -30, -30, 30))},
       {"bored tube", bored(90)},
       {"tube bored through its seam", bored(0)},
       {"cut ball", step_shapes::minus(step_shapes::sphere(10),
