@@ -152,6 +152,32 @@ TEST(TrimLoops, a_hole_in_a_ball_without_a_seam_leaves_the_rest) {
   EXPECT_TRUE(inside(brep, 1.5, 1));
 }
 
+// One circle in the plane of parameters, round about (1, 0).
+TrimWire circle(double radius, bool clockwise, Brep& brep) {
+  Curve c;
+  c.kind = CurveKind::circle, c.periodic = true, c.radius = radius, c.last = 2 * pi;
+  c.axes.origin = {1, 0, 0}, c.axes.x = {1, 0, 0}, c.axes.y = {0, 1, 0};
+  brep.curves.push_back(c);
+  TrimStretch s = straight({1 + radius, 0}, {1 + radius, 0});
+  s.curve = static_cast<std::uint32_t>(brep.curves.size() - 1), s.last = 2 * pi;
+  if (clockwise) std::swap(s.first, s.last);
+  return {s};
+}
+
+TEST(TrimLoops, a_ring_on_a_ball_lies_between_its_circles_and_not_around_them) {
+  for (const bool hole_first : {true, false}) {
+    Brep brep = on(SurfaceKind::sphere, {0, 2, -1, 1});
+    TrimWire outer = circle(1, false, brep), inner = circle(0.4, true, brep);
+    if (hole_first) std::swap(outer, inner);
+    add_trim({outer, inner}, brep);
+    EXPECT_TRUE(inside(brep, 1.7, 0));
+    EXPECT_TRUE(inside(brep, 1, -0.7));
+    EXPECT_FALSE(inside(brep, 1, 0));
+    EXPECT_FALSE(inside(brep, 2.1, 0));
+    EXPECT_FALSE(inside(brep, 4, 1));
+  }
+}
+
 TEST(TrimLoops, a_hole_may_lie_in_another_turn_than_its_face) {
   Brep brep = on(SurfaceKind::cylinder, {0, 2 * pi, 0, 4});
   add_trim({polygon({{0.5, 0}, {3, 0}, {3, 4}, {0.5, 4}}),
