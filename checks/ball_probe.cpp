@@ -15,12 +15,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double floor_share = 1e-6;
 constexpr float greatest_tilt = 0.49F;  // radians, of a query
 
-// Of one contact, when the point moves in its plane as far as the cell reaches.
+// Of one contact, when the point moves in its plane as far as the cell reaches and the direction tilts: a
+// bound while the contact still counts there, as one on a facet does.
 double greatest_around(const CellQuery& query, const SphereContact& found, double reach) {
   const Vec3d q = found.contact - query.point;
-  const double h = dot(query.direction, q), qq = squared_length(q);
-  const double aside = std::sqrt(std::max(0.0, qq - h * h)) + reach;
-  return found.upper * (h * h + aside * aside) / qq;
+  const double h = dot(query.direction, q), qq = squared_length(q), tilt = query.tilt;
+  const double aside = std::sqrt(std::max(0.0, qq - h * h)), farther = aside + reach;
+  const auto turned = [&](double off) { return 1 - 0.5 * tilt * tilt - off / h * tilt; };
+  if (!(turned(farther) > 0)) return infinity;
+  return found.upper * (h * h + farther * farther) / qq * turned(aside) / turned(farther);
 }
 
 class BallProbe {
@@ -87,12 +90,23 @@ class BallProbe {
     return answer;
   }
 
+  // In a mesh that is not closed, where the ray along the normal leaves by a gap. In a closed one a ball that
+  // nothing stops has no wall opposite, however large it grows, when that ray ends on the back of a wall.
   void mark_open(std::span<const CellQuery> queries, std::span<CellAnswer> answers) const {
-    if (surface_->closed) return;
-    const std::vector<Exit> exits = exits_of(*surface_, queries, floor_share * surface_->size);
+    std::vector<CellQuery> asked;
+    std::vector<std::size_t> number;
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      const bool escapes = exits[i] == Exit::none && options_.side == Side::inside;
-      if (exits[i] == Exit::wrong || escapes) answers[i].absence = Absence::open;
+      if (surface_->closed && answers[i].absence != Absence::open) continue;
+      asked.push_back(queries[i]);
+      number.push_back(i);
+    }
+    const std::vector<Exit> exits = exits_of(*surface_, asked, floor_share * surface_->size);
+    for (std::size_t k = 0; k < number.size(); ++k) {
+      Absence& absence = answers[number[k]].absence;
+      const bool escapes = exits[k] == Exit::none && options_.side == Side::inside;
+      if (surface_->closed && exits[k] == Exit::right && options_.extreme == Extreme::smallest)
+        absence = Absence::none;
+      if (!surface_->closed && (exits[k] == Exit::wrong || escapes)) absence = Absence::open;
     }
   }
 

@@ -12,8 +12,9 @@ struct BallOptions {
   Extreme extreme = Extreme::smallest;
 };
 
-// Diameters. Inside, a ball that nothing stops, or that a gap or a facet of the wrong orientation lets
-// through, is `open`; outside it is infinite.
+// Diameters. A ball that nothing stops is infinite outside, and inside a closed mesh, where no wall lies
+// opposite; where a gap or a facet of the wrong orientation lets it through it is `open`, and so is every
+// ball without end that is asked for as the greatest.
 Probe ball_probe(const ContactSurface& surface, const BallOptions& options);
 
 }  // namespace gabarit

@@ -149,6 +149,7 @@ class CellMeasurement {
     query.direction = options_.side == Side::inside ? -n : n;
     query.across = options_.side == Side::inside ? -own : own;
     query.facet = f;
+    query.weights = {v, w};
     query.known = field_.value[cell.row];
     query.known_upper = field_.upper[cell.row];
     query.sag = surface_.sag[f];
@@ -172,7 +173,7 @@ class CellMeasurement {
       if (value < infinity || !smallest()) return;
     }
     value = answer.value;
-    field_.at[row] = query.point;
+    field_.at[row] = answer.at.value_or(query.point);
     field_.contact[row] = answer.contact;
   }
 
@@ -193,12 +194,16 @@ class CellMeasurement {
     return false;
   }
 
-  // Whether the limit lies within the cell's bounds while no other cell has broken it.
+  // Whether the limit lies within the cell's bounds, no other cell has broken it, and smaller cells would
+  // tell: not where the sags alone leave it open at the very point.
   bool decides(const Cell& cell, const CellAnswer& answer) const {
     const double limit = options_.limit;
+    const double apart = std::fabs(answer.value - limit);
     if (!(limit > 0)) return false;
-    return smallest() ? answer.lower < limit && limit <= field_.upper[cell.row]
-                      : answer.greatest > limit && limit >= field_.lower[cell.row];
+    return smallest() ? answer.lower < limit && limit <= field_.upper[cell.row] &&
+                            apart > answer.upper - answer.value
+                      : answer.greatest > limit && limit >= field_.lower[cell.row] &&
+                            apart > answer.value - answer.lower;
   }
 
   void keep_bounds(std::uint32_t row, const CellAnswer& answer) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "checks/contact_surface.h"
@@ -18,8 +19,9 @@ struct CellQuery {
   Vec3d direction;  // unit, from the surface into what is measured
   Vec3d across;     // the same of the facet alone, where `direction` is that of smooth normals
   FacetId facet = 0;
-  float sag = 0;      // of the facet, mm
-  float spacing = 0;  // from the middle to the farthest corner of the cell, mm
+  std::array<double, 2> weights{};  // of the facet's second and third corner, at the point
+  float sag = 0;                    // of the facet, mm
+  float spacing = 0;                // from the middle to the farthest corner of the cell, mm
   // Of the facet's other cells so far: an answer that beats neither changes nothing.
   double known = std::numeric_limits<double>::infinity();
   double known_upper = std::numeric_limits<double>::infinity();
@@ -33,6 +35,8 @@ struct CellAnswer {
   double greatest = 0;  // over the cell
   Vec3d contact;
   Absence absence = Absence::none;
+  std::optional<Vec3d> at =
+      std::nullopt;  // where on the surface itself the value holds; without it the cell's point
 };
 
 using Probe = std::function<void(std::span<const CellQuery>, std::span<CellAnswer>)>;

@@ -8,12 +8,12 @@
 
 namespace gabarit {
 
-// mm, one a facet. Across each edge that is no crease, two chords of one circle that are w and w' wide and
-// bend by the angle a lie off it by a w²/(4 (w + w')) at most; the three edges add up, as the curvatures of
-// two directions do. Where a facet is more than twice as wide as its neighbour the surface is taken to
-// change there (a plane that a fillet leaves), and twice the neighbour's width counts. Facets whose
-// neighbours are all in their plane lie on the surface: 0. Never more than `declared`. Holds on tessellated
-// cylinders, spheres and tori.
+// mm, one a facet. Across each edge that is no crease, two chords of one circle, as wide as the facets and
+// bent by their angle, tell how far they lie off it; the three edges add up, as the curvatures of two
+// directions do, and the halves of a quad in one plane share the greater sum. 5 % more are allowed for. Where
+// a facet is more than twice as wide as its neighbour the surface is taken to change there (a plane that a
+// fillet leaves), and twice the neighbour's width counts. Facets whose neighbours are all in their plane lie
+// on the surface: 0. Never more than `declared`. Holds on tessellated cylinders, spheres and tori.
 std::vector<float> local_sag(const TriangleMesh& mesh, const Adjacency& adjacency, double crease,
                              double declared, const Device& device);
 

@@ -8,6 +8,9 @@ namespace gabarit {
 struct Scene::Shared {
   std::once_flag adjacency_built;
   std::unique_ptr<Adjacency> adjacency;
+  std::once_flag edges_built, leans_built;
+  std::unique_ptr<EdgeChords> edges;
+  std::vector<float> leans;
   std::mutex surfaces_guard;
   std::map<SurfaceOptions, ContactSurface> surfaces;  // references stay good while it grows
 };
@@ -19,6 +22,18 @@ const Adjacency& Scene::adjacency() const {
   std::call_once(shared_->adjacency_built,
                  [this] { shared_->adjacency = std::make_unique<Adjacency>(mesh()); });
   return *shared_->adjacency;
+}
+
+const EdgeChords& Scene::edges() const {
+  std::call_once(shared_->edges_built, [this] {
+    shared_->edges = std::make_unique<EdgeChords>(edge_chords(model(), Device::cpu()));
+  });
+  return *shared_->edges;
+}
+
+const std::vector<float>& Scene::facet_leans() const {
+  std::call_once(shared_->leans_built, [this] { shared_->leans = gabarit::facet_leans(model(), device_); });
+  return shared_->leans;
 }
 
 const ContactSurface& Scene::surface(const SurfaceOptions& options) const {

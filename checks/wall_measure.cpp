@@ -9,6 +9,7 @@
 
 #include "checks/ball_probe.h"
 #include "checks/buried.h"
+#include "checks/exact_refinement.h"
 #include "checks/ray_probe.h"
 
 namespace gabarit {
@@ -60,7 +61,8 @@ std::size_t count(const Field& field, Absence absence) {
 void add_absences(Field& field) {
   if (const std::size_t open = count(field, Absence::open); open > 0)
     field.notes.push_back(fmt::format(
-        "Nothing bounds the measure at {}: the mesh is open or its facets face the wrong way there.",
+        "Nothing bounds the measure at {}: the mesh is open, its facets face the wrong way or no wall lies "
+        "opposite there.",
         count_text(open)));
   if (const std::size_t buried = count(field, Absence::buried); buried > 0)
     field.notes.push_back(fmt::format(
@@ -81,6 +83,16 @@ void add_notes(Field& field, Side side, double step, const Arguments& arguments)
   if (capped > 0)
     field.notes.push_back(
         fmt::format("{} reach the greatest value looked for, {:g} mm.", count_text(capped), cap));
+}
+
+bool is_exact(const Scene& scene, const Arguments& arguments) {
+  return scene.model().brep && !by_ray(arguments) && arguments.text("normals") == "smooth";
+}
+
+void add_exact_note(Field& field) {
+  field.notes.push_back(
+      "Values are measured between the exact surfaces of the model, not between its facets. Where the limit "
+      "lies near, and at the thinnest places, the least value of each facet was looked for on its surface.");
 }
 
 // Thin places are looked at again when they may lie inside the part: those under the limit or, without one,
@@ -115,10 +127,24 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
                       .extreme = setup.extreme,
                       .progress = setup.progress};
   if (arguments.has("step")) options.step = arguments.number("step");
-  Field field = measure_cells(
-      scene.mesh(), region, surface, options,
-      without_buried(probe_of(side, surface, scene.mesh(), setup.extreme, arguments), side, surface, setup));
+  Probe probe = probe_of(side, surface, scene.mesh(), setup.extreme, arguments);
+  std::optional<ExactWalls> walls;
+  if (is_exact(scene, arguments)) {
+    walls.emplace(scene, surface,
+                  ExactWallOptions{.side = side,
+                                   .separation = separation(arguments),
+                                   .greatest = greatest(arguments),
+                                   .extreme = setup.extreme});
+    probe = exact_probe(std::move(probe), *walls, setup.extreme);
+    options.limit = 0;  // what lies near it is looked for on the surfaces themselves
+  }
+  Field field = measure_cells(scene.mesh(), region, surface, options,
+                              without_buried(std::move(probe), side, surface, setup));
   add_notes(field, side, options.step, arguments);
+  if (walls) {
+    if (setup.extreme == Extreme::smallest) refine_least(field, scene, *walls, setup.limit);
+    add_exact_note(field);
+  }
   return field;
 }
 

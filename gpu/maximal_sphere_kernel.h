@@ -49,12 +49,9 @@ class MaximalSphere {
 
   GABARIT_HD float limit() const { return limit_; }
 
-  GABARIT_HD unsigned within(const BvhNode& node, float (&lower)[tree_width]) {
+  template <class Boxes>
+  GABARIT_HD unsigned within(const Boxes& boxes, float (&lower)[tree_width]) {
     if (++visits_ > patience) limit_ = culling_.probe() / gap_.widen();
-    return culling_.within(node, limit_, lower);
-  }
-
-  GABARIT_HD unsigned within(const EightBoxes& boxes, float (&lower)[leaf_width]) const {
     return culling_.within(boxes, limit_, lower);
   }
 

@@ -7,7 +7,7 @@
 namespace gabarit {
 
 // Near-ties everywhere, as opposite every point of a finely meshed sphere, would visit the whole tree: after
-// so many nodes a search settles for less and less; the lower bound says by how much.
+// so many nodes and leaves a search settles for less and less; the lower bound says by how much.
 class SearchGap {
  public:
   GABARIT_HD float factor() const { return 1 + gap_; }

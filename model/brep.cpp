@@ -35,8 +35,13 @@ static View<const T> elements(const std::vector<T>& of) {
 }
 
 BrepView view(const Brep& brep) {
-  return {elements(brep.surfaces), elements(brep.curves), elements(brep.poles), elements(brep.knots),
-          elements(brep.faces)};
+  return {elements(brep.surfaces),      elements(brep.curves),
+          elements(brep.poles),         elements(brep.knots),
+          elements(brep.faces),         elements(brep.edges),
+          elements(brep.vertices),      elements(brep.first_edge_of_face),
+          elements(brep.edges_of_face), elements(brep.trims),
+          elements(brep.trim_pieces),   elements(brep.trim_bins),
+          elements(brep.trim_listing)};
 }
 
 }  // namespace gabarit

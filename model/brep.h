@@ -106,6 +106,26 @@ struct BrepVertex {
   double tolerance = 0;  // mm
 };
 
+// A piece of a face's boundary in the plane of its parameters along which u and v each run one way: its ends
+// are its box, and a.v < b.v. Level pieces are not kept.
+struct TrimPiece {
+  Parameters a, b;
+  double first = 0, last = 0;       // at a and at b, on the curve
+  std::uint32_t curve = no_number;  // its z is 0; none: straight
+  bool seam = false;                // both sides of a seam at once: between a.v and b.v, wherever u is
+};
+
+// How a face is cut out of its surface: a point is inside when the pieces that a ray towards greater u meets,
+// in all turns of u and v, are odd in number (`all`: even).
+struct FaceTrim {
+  ParameterBox box;  // of the pieces
+  bool all = false;
+  std::uint32_t first_piece = 0, piece_count = 0;
+  // Bins of equal height over the box: bin i lists trim_listing[trim_bins[first_bin + i] .. [+ 1]]. None: few
+  // pieces, look at all.
+  std::uint32_t first_bin = 0, bin_count = 0;
+};
+
 // Where a facet lies on the exact surface.
 struct FacetOrigin {
   FaceId face = no_number;
@@ -121,7 +141,15 @@ struct Brep {
   std::vector<Face> faces;  // numbered body by body in the order of the file: the same for the same file
   std::vector<Edge> edges;  // likewise
   std::vector<BrepVertex> vertices;
+  // The edges of face f, a seam once: edges_of_face[first_edge_of_face[f] .. [f + 1]].
+  std::vector<std::uint32_t> first_edge_of_face;
+  std::vector<EdgeId> edges_of_face;
+  std::vector<FaceTrim> trims;  // one a face
+  std::vector<TrimPiece> trim_pieces;
+  std::vector<std::uint32_t> trim_bins, trim_listing;
   std::vector<FacetOrigin> facets;   // one a facet of the mesh
+  std::uint64_t untrimmed = 0;       // faces whose trimming curves are unknown: whole surfaces
+  std::uint64_t leaky = 0;           // faces with gaps between trimming curves that no tolerance covers
   std::uint64_t invalid_bodies = 0;  // as they stand in the file, repaired or not
   std::uint64_t approximated = 0;    // surfaces and curves (offsets) that are splines only nearly
   double approximation_error = 0;    // mm: the greatest seen on a grid over each of them

@@ -12,6 +12,13 @@ struct BrepView {
   View<const Pole> poles;
   View<const double> knots;
   View<const Face> faces;
+  View<const Edge> edges;
+  View<const BrepVertex> vertices;
+  View<const std::uint32_t> first_edge_of_face;
+  View<const EdgeId> edges_of_face;
+  View<const FaceTrim> trims;
+  View<const TrimPiece> trim_pieces;
+  View<const std::uint32_t> trim_bins, trim_listing;
 };
 // In the memory of the CPU, valid as long as the arrays of `brep` are not changed.
 BrepView view(const Brep& brep);

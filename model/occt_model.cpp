@@ -191,11 +191,21 @@ class Filling {
                       facets_.faces_without));
     if (facets_.edges_unmatched > 0)
       warn(fmt::format("the facets do not fit together along {} edges", facets_.edges_unmatched));
+    report_trims();
     if (model_->brep->approximated > 0)
       warn(fmt::format(
                "{} offset surfaces or curves are measured as splines that are within {:.2g} mm of them",
                model_->brep->approximated, model_->brep->approximation_error),
            Diagnostic::Level::note);
+  }
+
+  void report_trims() {
+    if (model_->brep->untrimmed > 0)
+      warn(fmt::format("the curves that bound {} faces are not known: the whole surfaces are taken",
+                       model_->brep->untrimmed));
+    if (model_->brep->leaky > 0)
+      warn(fmt::format("the curves that bound {} faces leave gaps; they were closed by straight lines",
+                       model_->brep->leaky));
   }
 
   std::vector<OcctPart> parts_;

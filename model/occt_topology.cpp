@@ -16,6 +16,7 @@
 #include "model/brep_turn.h"
 #include "model/occt_geometry.h"
 #include "model/occt_surface.h"
+#include "model/occt_trim.h"
 
 namespace gabarit {
 namespace {
@@ -100,10 +101,11 @@ void measure_turn(const std::array<Side, 2>& sides, const Brep& brep, Edge& e) {
 class Topology {
  public:
   Topology(const TopoDS_Shape& shape, Brep& brep)
-      : brep_(&brep), first_face_(static_cast<FaceId>(brep.faces.size())) {
+      : brep_(&brep), first_edge_(static_cast<EdgeId>(brep.edges.size())) {
     TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
     TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
     sides_.resize(static_cast<std::size_t>(edges_.Extent()) + 1);
+    if (brep.first_edge_of_face.empty()) brep.first_edge_of_face.push_back(0);
   }
 
   void add_faces(const TopoDS_Shape& shape, std::uint32_t body) {
@@ -112,8 +114,10 @@ class Topology {
       add_face(face, body, *brep_);
       const auto id = static_cast<FaceId>(brep_->faces.size() - 1);
       for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
-        sides_[static_cast<std::size_t>(edges_.FindIndex(edge.Current()))].push_back(
-            {TopoDS::Edge(edge.Current()), face, id});
+        add_side({TopoDS::Edge(edge.Current()), face, id});
+      brep_->first_edge_of_face.push_back(static_cast<std::uint32_t>(brep_->edges_of_face.size()));
+      add_trim(
+          face, [this](const TopoDS_Edge& edge) { return number(edge); }, *brep_);
     }
   }
 
@@ -139,12 +143,23 @@ class Topology {
   }
 
  private:
+  EdgeId number(const TopoDS_Edge& edge) const {
+    return first_edge_ + static_cast<EdgeId>(edges_.FindIndex(edge) - 1);
+  }
+
+  void add_side(const Side& side) {
+    std::vector<Side>& sides = sides_[static_cast<std::size_t>(edges_.FindIndex(side.edge))];
+    const bool seam = !sides.empty() && sides.back().id == side.id;
+    if (!seam) brep_->edges_of_face.push_back(number(side.edge));
+    sides.push_back(side);
+  }
+
   std::uint32_t vertex(const TopoDS_Vertex& v) const {
     return v.IsNull() ? no_number : first_vertex_ + static_cast<std::uint32_t>(vertices_.FindIndex(v) - 1);
   }
 
   Brep* brep_;
-  FaceId first_face_;
+  EdgeId first_edge_;
   std::uint32_t first_vertex_ = 0;
   TopTools_IndexedMapOfShape edges_, vertices_;
   std::vector<std::vector<Side>> sides_;

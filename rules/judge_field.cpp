@@ -65,7 +65,7 @@ std::vector<std::size_t> judge_facets(const TriangleMesh& mesh, RuleResult& resu
 const char* why_undecided(const RuleResult& result, std::size_t entry) {
   const Field& field = result.field;
   switch (field.absence[entry]) {
-    case Absence::open: return "nothing bounds the measure, the mesh is open";
+    case Absence::open: return "nothing bounds the measure: the mesh is open or no wall lies opposite";
     case Absence::degenerate: return "there is no normal";
     case Absence::buried: return "the facet lies inside the part, the mesh overlaps itself";
     case Absence::too_little: return "the mesh turns too little to tell";

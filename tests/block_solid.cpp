@@ -113,6 +113,15 @@ std::vector<double> walls(double length, int count, double outer, double inner) 
   return lines;
 }
 
+// The place of x when every wall gets thinner upwards by `inset` on both sides and the rooms between grow.
+double drafted(const std::vector<double>& lines, double x, double inset) {
+  std::size_t i = 0;
+  while (i + 2 < lines.size() && x > lines[i + 1]) ++i;
+  const auto moved = [&](std::size_t k) { return lines[k] + (k % 2 == 0 ? inset : -inset); };
+  const double share = (x - lines[i]) / (lines[i + 1] - lines[i]);
+  return moved(i) + share * (moved(i + 1) - moved(i));
+}
+
 }  // namespace
 
 TriangleMesh surface(const BlockSolid& solid, double step) { return Mesher(solid, step).mesh(); }
@@ -141,6 +150,15 @@ BlockSolid ribbed_casting() {
   solid.map = [](const Vec3d& p) {
     const double u = p.x / 200 - 0.5, v = p.y / 140 - 0.5;
     return Vec3d{p.x + 0.02 * p.z * u, p.y + 0.02 * p.z * v, p.z - 12 * u * u - 8 * v * v};
+  };
+  return solid;
+}
+
+BlockSolid drafted_casting() {
+  BlockSolid solid = ribbed_casting();
+  const double slope = std::tan(std::numbers::pi / 180);
+  solid.map = [bend = solid.map, x = solid.lines[0], y = solid.lines[1], slope](const Vec3d& p) {
+    return bend({drafted(x, p.x, slope * p.z), drafted(y, p.y, slope * p.z), p.z});
   };
   return solid;
 }

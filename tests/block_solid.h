@@ -23,6 +23,8 @@ TriangleMesh surface(const BlockSolid& solid, double step);
 
 // A tray of 200 x 140 x 40 mm with walls and ribs of 2 to 3 mm, slightly domed.
 BlockSolid ribbed_casting();
+// The same with a draft of 1 degree on the sides of its ribs and walls, as a mould needs.
+BlockSolid drafted_casting();
 // 80 mm across, 90 mm high, walls of 3 mm, a handle of 8 mm and a small hole in the floor.
 BlockSolid cup_with_a_handle();
 // 150 x 100 x 80 mm with eight square holes through it.

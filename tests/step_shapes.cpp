@@ -5,10 +5,13 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
@@ -58,6 +61,16 @@ TopoDS_Shape tube(double outer, double inner, double height) {
 TopoDS_Shape cone(double bottom, double height) { return BRepPrimAPI_MakeCone(bottom, 0, height).Shape(); }
 TopoDS_Shape sphere(double radius) { return BRepPrimAPI_MakeSphere(radius).Shape(); }
 TopoDS_Shape torus(double ring, double tube) { return BRepPrimAPI_MakeTorus(ring, tube).Shape(); }
+
+TopoDS_Shape minus(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Cut(a, b).Shape(); }
+
+TopoDS_Shape prism(const std::vector<std::array<double, 2>>& corners, double height) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (const auto& [x, y] : corners) outline.Add(gp_Pnt(x, y, 0));
+  outline.Close();
+  const TopoDS_Shape face = BRepBuilderAPI_MakeFace(outline.Wire(), Standard_True).Shape();
+  return BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, height)).Shape();
+}
 
 TopoDS_Shape moved(const TopoDS_Shape& shape, double x, double y, double z) {
   gp_Trsf move;

@@ -1,6 +1,7 @@
 // Solids made with OpenCASCADE and written to a temporary folder, for the tests of the loaders.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,6 +22,9 @@ TopoDS_Shape tube(double outer, double inner, double height);
 TopoDS_Shape cone(double bottom, double height);  // with its apex
 TopoDS_Shape sphere(double radius);
 TopoDS_Shape torus(double ring, double tube);
+TopoDS_Shape minus(const TopoDS_Shape& a, const TopoDS_Shape& b);
+// A plane polygon, counter-clockwise, swept along z.
+TopoDS_Shape prism(const std::vector<std::array<double, 2>>& corners, double height);
 TopoDS_Shape moved(const TopoDS_Shape& shape, double x, double y, double z);
 TopoDS_Shape turned(const TopoDS_Shape& shape, double degrees_about_x);
 TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes);  // one compound

@@ -65,7 +65,9 @@ class SectionPlot {
     const PagePoint along{std::cos(angle), std::sin(angle)};
     const double half = std::hypot(view_.camera.width, view_.camera.height) / 2;
     std::vector<std::array<Place, 2>> lines;
-    for (double off = -reach + distance / 2; off < reach; off += distance) {
+    const int count = static_cast<int>(std::ceil(2 * reach / distance));
+    for (int i = 0; i < count; ++i) {
+      const double off = -reach + (i + 0.5) * distance;
       const PagePoint start{-off * along.y, off * along.x};
       const std::optional<std::vector<Stretch>> stretches = material_along(section_, start, along);
       if (!stretches) return false;

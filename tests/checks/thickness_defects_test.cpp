@@ -22,6 +22,11 @@ TEST(Thickness, an_open_sheet_is_undecided) {
   EXPECT_EQ(field.upper[0], INFINITY);
 }
 
+TEST(Thickness, a_body_that_is_inside_out_is_undecided) {
+  const Field field = thickness(shapes::flipped(shapes::gridded_box({0, 0, 0}, {9, 7, 5}, 3)), at_least(1));
+  for (const Absence absence : field.absence) EXPECT_EQ(absence, Absence::open);
+}
+
 TEST(Thickness, facets_opposite_a_gap_are_undecided_not_thick) {
   auto plate = shapes::gridded_box({0, 0, 0}, {20, 20, 2}, 2);
   const Triangles whole = plate;

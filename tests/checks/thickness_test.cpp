@@ -15,12 +15,16 @@ using shapes::Point2;
 using shapes::Triangles;
 
 TEST(Thickness, sound_bodies_with_sharp_edges_pass_at_every_step) {
-  for (const double step : {0.7, 2.0, 10.0}) {
-    EXPECT_TRUE(passes(thickness(shapes::gridded_box({0, 0, 0}, {12, 9, 7}, step)), 7)) << step;
-    EXPECT_TRUE(passes(thickness(shapes::gridded_box({0, 0, 0}, {20, 15, 2}, step)), 2)) << step;
-    EXPECT_GE(least_lower(thickness(l_bracket(3, step))), 3 * (1 - 1e-9)) << step;
+  for (const double step : {0.2, 0.7, 2.0, 10.0}) {
+    const double size = step < 0.5 ? 0.2 : 1;  // not too many facets
+    const auto wall = [&](const Triangles& shape, double limit) {
+      EXPECT_GE(least_lower(thickness(shape, at_least(limit))), limit * (1 - 1e-9)) << step;
+    };
+    wall(shapes::gridded_box({0, 0, 0}, Vec3d{12, 9, 7} * size, step), 7 * size);
+    wall(shapes::gridded_box({0, 0, 0}, Vec3d{20, 15, 2} * size, step), 2 * size);
+    wall(l_bracket(3, std::max(0.7, step)), 3);
   }
-  for (const char* step : {"0.2 mm", "1 mm", "10 mm"}) {
+  for (const char* step : {"0.2 mm", "0.5 mm", "1 mm", "2 mm", "5 mm", "10 mm"}) {
     const Wanted wanted{.parameters = {{"step", step}}};
     EXPECT_TRUE(passes(thickness(shapes::box({0, 0, 0}, {12, 9, 7}), wanted), 7)) << step;
     EXPECT_TRUE(passes(thickness(shapes::box({0, 0, 0}, {20, 15, 2}), wanted), 2)) << step;
@@ -32,6 +36,7 @@ TEST(Thickness, a_feather_edge_of_30_degrees_is_found) {
   const double angle = std::numbers::pi / 6;
   const auto wedge = prism({{0, 0}, {30 * std::cos(angle), -30 * std::sin(angle)}, {30, 0}}, 10);
   EXPECT_TRUE(fails(thickness(wedge), 1));
+  EXPECT_TRUE(fails(thickness(wedge, at_least(1)), 1));
   const auto blunt = prism({{0, 0}, {30, 0}, {37.28, 20}, {7.28, 20}}, 40);
   EXPECT_TRUE(passes(thickness(blunt), 19.9)) << "edges of 70 degrees are none";
 }
@@ -39,6 +44,8 @@ TEST(Thickness, a_feather_edge_of_30_degrees_is_found) {
 TEST(Thickness, the_tip_of_a_slender_groove_is_found_on_facets_of_any_size) {
   const Field field = thickness(grooved(1.5));
   EXPECT_TRUE(fails(field, 1.6));
+  EXPECT_TRUE(fails(thickness(grooved(1.5), at_least(1.6)), 1.6));
+  EXPECT_TRUE(passes(thickness(grooved(1.5), at_least(1.4)), 1.4));
   EXPECT_GE(least_lower(field), 1.5 * (1 - 1e-6));
   const auto thinnest = std::min_element(field.value.begin(), field.value.end()) - field.value.begin();
   EXPECT_NEAR(field.value[static_cast<std::size_t>(thinnest)], 1.5, 0.02);
@@ -54,6 +61,8 @@ TEST(Thickness, a_tapered_plate_of_twelve_facets_is_thin_at_its_thin_end) {
   const Field field = thickness(plate);
   EXPECT_TRUE(fails(field, 3));
   EXPECT_TRUE(passes(field, 1.5));
+  EXPECT_TRUE(fails(thickness(plate, at_least(3)), 3));
+  EXPECT_TRUE(passes(thickness(plate, at_least(1.5)), 1.5));
 }
 
 TEST(Thickness, a_limit_from_above_sees_the_thick_end) {

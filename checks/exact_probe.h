@@ -1,0 +1,57 @@
+// Walls measured on the exact surfaces of a model: the values of another probe's cells, made exact.
+#pragma once
+
+#include <cmath>
+
+#include "checks/exact_ball.h"
+#include "checks/facet_cells.h"
+#include "checks/scene.h"
+
+namespace gabarit {
+
+struct ExactWallOptions {
+  Side side = Side::inside;
+  double separation = 2.0943951023931953;  // radians
+  double greatest = 1e300;                 // mm: larger diameters are not looked for
+  Extreme extreme = Extreme::smallest;
+};
+
+// A place on a facet of a model that has exact surfaces, by the weights of the facet's second and third
+// corner.
+struct FacetPlace {
+  FacetId facet = 0;
+  std::array<double, 2> weights{1.0 / 3, 1.0 / 3};
+};
+
+// What is reported of exact walls: multiples of 1e-6 mm, so that a wall of 1 mm is not thinner than 1 mm.
+inline double rounded_wall(double value) { return std::round(value * 1e6) / 1e6; }
+
+// A wall as thick as a ball's diameter.
+struct ExactWall {
+  double value = std::numeric_limits<double>::infinity();  // mm; infinite: nothing stops the ball
+  double off = 0;         // mm: what the tolerance of an edge leaves open of it
+  Vec3d at;               // the place on the exact surface
+  bool measured = false;  // the surface has a normal at the place
+  ExactBall ball;
+};
+
+class ExactWalls {
+ public:
+  // All of them must outlive this.
+  ExactWalls(const Scene& scene, const ContactSurface& surface, const ExactWallOptions& options);
+
+  // The same on any number of threads.
+  std::vector<ExactWall> measure(std::span<const FacetPlace> places) const;
+
+ private:
+  const Scene* scene_;
+  ExactBallScene balls_;
+  ExactWallOptions options_;
+  ExactBallOptions ball_options_;
+};
+
+// Values and upper bounds are those of the exact surfaces; what lies between the places of a cell keeps the
+// lower bound that `base` gives for facets with their sag.
+Probe exact_probe(Probe base, const ExactWalls& walls, Extreme extreme);
+
+}  // namespace gabarit

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/checks/wall_fields.h"
+#include "tests/step_shapes.h"
+
+namespace gabarit {
+namespace {
+
+using step_shapes::loaded;
+
+class ExactThickness : public step_shapes::StepFiles {
+ protected:
+  Model tube_with_wall(double outer, double inner, double sag = 0.05) const {
+    LoadOptions options;
+    options.sag = sag;
+    return loaded(step(step_shapes::tube(outer, inner, 30)), options);
+  }
+};
+
+// As a rule "at least `limit`" has it measured; 0: no rule.
+Field walls_of(const Model& model, double limit, int threads = 1, const Measure& of = thickness_measure) {
+  Wanted wanted = at_least(limit, *model.sag);
+  wanted.device = Device::cpu(threads);
+  return measure(of, model, wanted);
+}
+
+TEST_F(ExactThickness, a_wall_of_just_the_limit_passes_and_a_thousandth_less_fails) {
+  const auto worst = [&](const Model& model) {
+    const Field field = walls_of(model, 1.2);
+    return std::pair{*std::min_element(field.lower.begin(), field.lower.end()),
+                     *std::min_element(field.upper.begin(), field.upper.end())};
+  };
+  EXPECT_GE(worst(tube_with_wall(10, 8.8)).first, 1.2);
+  EXPECT_LT(worst(tube_with_wall(10, 8.801)).second, 1.2);
+}
+
+TEST_F(ExactThickness, the_thinnest_place_is_found_between_the_places_looked_at) {
+  LoadOptions coarse;
+  coarse.sag = 0.3;
+  const Model model =
+      loaded(step(step_shapes::minus(step_shapes::cylinder(10, 60),
+                                     step_shapes::moved(step_shapes::cylinder(6, 60), 2, 0, 0))),
+             coarse);
+  for (const double limit : {0.0, 2.5}) {
+    const Field field = walls_of(model, limit);
+    const auto thinnest = std::min_element(field.value.begin(), field.value.end()) - field.value.begin();
+    const auto i = static_cast<std::size_t>(thinnest);
+    EXPECT_NEAR(field.value[i], 2, 1e-4);
+    EXPECT_NEAR(std::abs(field.at[i].y), 0, 0.05) << "where the walls are nearest";
+    EXPECT_NEAR(length(field.at[i] - field.contact[i]), 2, 1e-3);
+  }
+}
+
+TEST_F(ExactThickness, facets_of_the_same_part_agree_wherever_their_bounds_decide) {
+  for (const TopoDS_Shape& shape :
+       {step_shapes::tube(10, 8.5, 30), step_shapes::rounded_box(40, 30, 6, 2),
+        step_shapes::minus(step_shapes::box(40, 40, 5),
+                           step_shapes::moved(step_shapes::cylinder(8, 20), 20, 11, -5))}) {
+    const Model exact = loaded(step(shape));
+    Model facets = exact;
+    facets.brep.reset();
+    for (const double limit : {1.0, 1.6, 4.0, 5.5}) {
+      const Field a = walls_of(exact, limit), b = walls_of(facets, limit);
+      ASSERT_EQ(a.facets, b.facets);
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_FALSE(b.lower[i] >= limit && a.upper[i] < limit * (1 - 1e-9))
+            << limit << " facet " << a.facets[i];
+        EXPECT_FALSE(b.upper[i] < limit && a.lower[i] >= limit) << limit << " facet " << a.facets[i];
+      }
+    }
+  }
+}
+
+TEST_F(ExactThickness, it_moves_with_the_part_and_does_not_depend_on_the_threads) {
+  const TopoDS_Shape shape = step_shapes::rounded_box(40, 30, 6, 2);
+  const Field here = walls_of(loaded(step(shape)), 5);
+  const Field there =
+      walls_of(loaded(step(step_shapes::moved(step_shapes::turned(shape, 33), 900, -700, 80))), 5);
+  const auto least = [](const Field& f) { return *std::min_element(f.value.begin(), f.value.end()); };
+  EXPECT_NEAR(least(here), least(there), 1e-6);
+  const Field two = walls_of(loaded(step(shape)), 5, 2);
+  EXPECT_EQ(here.value, two.value);
+  EXPECT_EQ(here.lower, two.lower);
+  EXPECT_EQ(here.upper, two.upper);
+}
+
+TEST_F(ExactThickness, the_gap_between_two_bodies_is_measured_the_same_way) {
+  const TopoDS_Shape two = step_shapes::together(
+      {step_shapes::cylinder(10, 30),
+       step_shapes::minus(step_shapes::cylinder(20, 30), step_shapes::cylinder(13, 30))});
+  const Field field = walls_of(loaded(step(two)), 2.5, 1, clearance_measure);
+  EXPECT_EQ(*std::min_element(field.value.begin(), field.value.end()), 3);
+  EXPECT_GE(*std::min_element(field.lower.begin(), field.lower.end()), 2.5);
+}
+
+}  // namespace
+}  // namespace gabarit
