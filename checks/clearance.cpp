@@ -21,7 +21,9 @@ const Measure clearance_measure{
     .documentation =
         "The same measure as thickness, on the other side of the surface: the largest ball outside the part "
         "that touches the facet and that a second surface stops, its own body's or another's. Methods, "
-        "separation angle, normals and bounds are those of thickness; sharp edges take the place of reflex "
+        "separation angle, normals and bounds are those of thickness, and models that have exact surfaces "
+        "are "
+        "measured between these; sharp edges take the place of reflex "
         "ones.\n\n"
         "In front of most of a part there is nothing: the clearance is infinite there. It passes a limit "
         "from below and fails one from above. Bodies in contact have no gap between them: what lies within "

@@ -1,6 +1,6 @@
 // The largest ball on one side of an exact surface that touches it at a given point: what maximal_spheres
 // finds on facets, found on the trimmed faces and edges that the facets stand for. Facets and chords only say
-// where to look; every value comes from the surfaces themselves. After L. Lemasson et al., on exact B-Reps,
+// where to look; every value comes from the surfaces themselves. After G. Lemasson et al., WSCG 2014,
 // with the separation angle of the mesh method.
 #pragma once
 

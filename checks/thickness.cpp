@@ -46,12 +46,18 @@ const Measure thickness_measure{
         "ray. In a closed mesh a ball that nothing stops has no wall opposite: without limit, and undecided "
         "for a limit from above. Thin facets that lie inside the part, where the mesh overlaps itself, bound "
         "no wall and have no value; other bodies that overlap are measured as they overlap.\n\n"
+        "Models that have exact surfaces (STEP, IGES) are measured between these, by Newton's method on the "
+        "trimmed faces and edges; the facets only say where to look, and give the lower bound of what lies "
+        "between the places looked at. Values are then multiples of 1e-6 mm, and the thinnest places are "
+        "followed over the surface. method ray and normals facet measure the facets all the same.\n\n"
         "Limits: the facets are taken as they are, not the surface that they once approximated beyond its "
         "sag; a fold or burr of the mesh is as thin as it is, however small; where thousands of contacts "
         "nearly tie (the inside of a ball) the value can be up to 1 % too large, and the lower bound says "
         "so.\n\n"
         "Source: M. Inui, N. Umezu, R. Shimane, Shrinking sphere: A parallel algorithm for computing the "
-        "thickness of 3D objects, Computer-Aided Design and Applications 13, 2016.",
+        "thickness of 3D objects, Computer-Aided Design and Applications 13, 2016. Exact "
+        "surfaces: after G. Lemasson et al., Accurate thickness computation of a B-Rep "
+        "model on the GPU, WSCG 2014.",
     .symbol = "t",
     .dimension = Dimension::length,
     .parameters = wall_parameters(Side::inside),

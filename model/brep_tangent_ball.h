@@ -1,7 +1,7 @@
 // The ball that touches a surface at O with its centre on the side of a unit direction d, and another face or
 // edge at P: t = |P - O|² / (2 d·(P - O)), its radius, made least by Newton's method with second derivatives.
-// After Lemasson, Iñigo Gomez et al., whose first order form drops II·(P - M) and needs three times the
-// steps.
+// After G. Lemasson, J.-C. Iehl, F. Zara, V. Baudet, P. Arthaud, B. Shariat, Accurate thickness computation
+// of a B-Rep model on the GPU, WSCG 2014, whose form is of first order: without II·(P - M).
 #pragma once
 
 #include "model/brep_curvature.h"
