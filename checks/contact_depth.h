@@ -16,7 +16,12 @@ class ContactDepth {
   // dist(side, path) - R in mm for each side; +infinity where that is more than `tolerance`. The disk is
   // empty, so only the ends of arcs and the lines matter: no side comes nearer inside an arc than at its
   // ends.
-  std::vector<float> along(const DiskPath& path, double tolerance, const Device& device) const;
+  // `apart`: the pieces are places that touch, such as those of dexels, and from any other place of the path
+  // there is one within so much. Then more than `tolerance` is infinite only where no place of the path comes
+  // nearer: a place cannot get further into what the known one touches, and so hardly nearer to what lies
+  // beside that.
+  std::vector<float> along(const DiskPath& path, double tolerance, const Device& device,
+                           double apart = 0) const;
 
  private:
   DistinctSegments sides_;

@@ -110,16 +110,23 @@ std::string doubt(const Region& region, const TriangleMesh& mesh, double size, c
 
 }  // namespace
 
+static Trace trace_of(const std::vector<Point2>& line, bool closed, const Frame& frame) {
+  Trace trace{.name = "path of the column's axis", .points = {}, .closed = closed};
+  trace.points.reserve(line.size());
+  for (const Point2 p : line) trace.points.push_back(frame.from_vehicle({p.x, p.y, 0}));
+  return trace;
+}
+
 std::vector<Trace> contact_traces(const DiskPath& path, const Frame& frame) {
   std::vector<Trace> traces;
+  for (const Contour& contour : path.contours)
+    traces.push_back(trace_of(contour.points, contour.closed, frame));
+  if (!traces.empty()) return traces;
   Chain chain(path.pieces);
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
     if (chain.used(i)) continue;
     const std::vector<Point2> line = chain.from(i, path.radius);
-    Trace trace{.name = "path of the column's axis", .points = {}, .closed = false};
-    trace.closed = line.size() > 2 && length(line.back() - line.front()) <= joined;
-    for (const Point2 p : line) trace.points.push_back(frame.from_vehicle({p.x, p.y, 0}));
-    traces.push_back(std::move(trace));
+    traces.push_back(trace_of(line, line.size() > 2 && length(line.back() - line.front()) <= joined, frame));
   }
   return traces;
 }

@@ -11,8 +11,8 @@
 
 namespace gabarit {
 
-// One trace for each run of pieces that join end to end, on the ground, in model coordinates; chords of arcs
-// leave them by 1 mm at most.
+// One trace for each contour, or for each run of pieces that join end to end, on the ground, in model
+// coordinates; chords of arcs leave them by 1 mm at most.
 std::vector<Trace> contact_traces(const DiskPath& path, const Frame& frame);
 
 // How many outlines there are, what was left out, and where the sag decides about a contact. `spacing`: of

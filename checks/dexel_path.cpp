@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "checks/dexel_contours.h"
 #include "checks/disjoint_sets.h"
 #include "checks/segment_grid.h"
 #include "gpu/dexel.h"
@@ -116,17 +117,19 @@ Dexels dexels_along_x(const OutlineFeatures& outline, double radius, const Dexel
   return offset_dexels(device, points, edges, lines, radius);
 }
 
-void add_ends(const Gaps& gaps, DisjointSets& spaces, bool swapped, DiskPath& path) {
+// Where gaps that hang together with the first one end; x and y are exchanged when `swapped`.
+std::vector<Point2> ends_outside(const Gaps& gaps, DisjointSets& spaces, bool swapped) {
+  std::vector<Point2> ends;
   for (std::int64_t i = 0; i < gaps.lines(); ++i) {
     for (const Gap& gap : gaps.line(i)) {
       if (spaces.root(gap.number) != 0) continue;
       for (const double end : {gap.from, gap.to}) {
         if (std::isinf(end)) continue;
-        const Point2 p = swapped ? Point2{gaps.position(i), end} : Point2{end, gaps.position(i)};
-        path.pieces.push_back({.from = p, .to = p, .centre = {}, .foot = {}});
+        ends.push_back(swapped ? Point2{gaps.position(i), end} : Point2{end, gaps.position(i)});
       }
     }
   }
+  return ends;
 }
 
 }  // namespace
@@ -149,8 +152,11 @@ DiskPath dexel_path(const OutlineFeatures& outline, double radius, double spacin
   join_across(along_x, along_y, spaces);
   join_across(along_y, along_x, spaces);
   // The first line is free: its gap, number 0, is the outside.
-  add_ends(along_x, spaces, false, path);
-  add_ends(along_y, spaces, true, path);
+  const std::vector<Point2> on_rows = ends_outside(along_x, spaces, false);
+  const std::vector<Point2> on_columns = ends_outside(along_y, spaces, true);
+  for (const auto* ends : {&on_rows, &on_columns})
+    for (const Point2 p : *ends) path.pieces.push_back({.from = p, .to = p, .centre = {}, .foot = {}});
+  path.contours = dexel_contours(on_rows, on_columns, rows, columns);
   return path;
 }
 

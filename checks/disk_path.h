@@ -22,10 +22,17 @@ struct PathPiece {
   bool cut = false;             // goes on where no disk from outside can be
 };
 
+// A line through places of a path that is known in places only, for pictures.
+struct Contour {
+  std::vector<Point2> points;
+  bool closed = false;  // the last point is the first
+};
+
 struct DiskPath {
   double radius = 0;
   std::vector<PathPiece> pieces;  // reachable from outside only
   std::uint32_t components = 0;   // of the reachable path
+  std::vector<Contour> contours;  // when the pieces are places of no length
 };
 
 // The boundary of the part of { c : dist(c, outline) >= radius } that is connected to infinity. Gaps of

@@ -65,7 +65,7 @@ class Front {
 
 DiskPath sweep_part(const DiskPath& path) {
   const double spacing = spacing_of(path);
-  DiskPath out{.radius = path.radius, .pieces = {}, .components = path.components};
+  DiskPath out{.radius = path.radius, .pieces = {}, .components = path.components, .contours = {}};
   for (const double side : {1.0, -1.0}) {
     const Front front(path, spacing, side);
     for (const PathPiece& piece : path.pieces) {

@@ -72,6 +72,7 @@ static double dexel_spacing(const VerticalCylinder& column) {
 
 struct Disk {
   double radius, tolerance;
+  double apart = 0;  // of the places that are known of its path
 };
 
 // The true disk, one that surely reaches and touches what the true surface lets it touch, and one that only
@@ -80,7 +81,7 @@ struct Disk {
 static std::array<Disk, 3> disks(const VerticalCylinder& column, double sag) {
   const double diagonal = dexel_spacing(column) * std::numbers::sqrt2;
   return {{{column.radius, column.tolerance},
-           {column.radius - sag, column.tolerance + diagonal},
+           {column.radius - sag, column.tolerance, diagonal},
            {column.radius + sag + diagonal / 2, column.tolerance}}};
 }
 
@@ -131,7 +132,8 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
   }
 
   const std::array<Disk, 3> disk = disks(column, setup.sag);
-  const ReachGrid reach(plan, disk[1].radius, disk[2].radius, disk[1].tolerance, scene.device());
+  const ReachGrid reach(plan, disk[1].radius, disk[2].radius, disk[1].tolerance + disk[1].apart,
+                        scene.device());
   const std::vector<PlanSide> sides = reachable_sides(plan, reach);
   const OutlineFeatures outline = outline_features(sides);
   const ContactDepth contact(sides, column.radius);
@@ -143,12 +145,12 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
     if (k == 0)
       missed = missed_by(paths[k], reach, dexel_spacing(column) * std::numbers::sqrt2, scene.device());
     if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k]);
-    depths[k] = contact.along(paths[k], disk[k].tolerance, scene.device());
+    depths[k] = contact.along(paths[k], disk[k].tolerance, scene.device(), disk[k].apart);
     if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
   }
   select(region, sides, depths);
   if (column.motion == Motion::forward) drop_rear_facing(region, mesh, setup.frame);
-  if (column.method == ContactMethod::exact) region.traces = contact_traces(paths[0], setup.frame);
+  region.traces = contact_traces(paths[0], setup.frame);
   region.notes = contact_notes(region, mesh, plan, paths[0], dexel_spacing(column));
   doubt_missed(region, missed);
   return region;

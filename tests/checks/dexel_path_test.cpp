@@ -141,6 +141,54 @@ TEST_P(RandomOutlines, every_place_touches_and_a_slightly_smaller_disk_gets_ther
   }
 }
 
+// Exactly along the path, against what the places alone can vouch for.
+TEST_P(RandomOutlines, nothing_that_the_path_touches_is_out_of_reach_of_its_known_places) {
+  std::mt19937 random(14);
+  const Device one = Device::cpu(1);
+  for (int round = 0; round < 60; ++round) {
+    const Sides sides = random_sides(random);
+    const OutlineFeatures outline = outline_features(sides);
+    const ContactDepth contact(sides, 1.5);
+    const double apart = GetParam() * std::numbers::sqrt2;
+    for (const double tolerance : {1e-3, 0.1}) {
+      const auto found = contact.along(dexel_path(outline, 1.5, GetParam(), one), tolerance, one, apart);
+      const auto truth = contact.along(disk_path(outline, 1.5, one), tolerance - 1e-6, one);
+      for (std::size_t i = 0; i < sides.size(); ++i)
+        EXPECT_TRUE(std::isinf(truth[i]) || std::isfinite(found[i])) << "round " << round << ", side " << i;
+    }
+  }
+}
+
+TEST(DexelPath, half_a_spacing_behind_a_straight_front_nothing_is_in_reach) {
+  Sides sides;
+  add_side(sides, {0, 0}, {1000, 0});
+  add_side(sides, {0, 500}, {1000, 500});
+  add_side(sides, {0, 0}, {0, 500});
+  add_side(sides, {1000, 0}, {1000, 500});
+  add_side(sides, {400, 0.5}, {410, 0.5});
+  const Device one = Device::cpu(1);
+  const DiskPath path = dexel_path(outline_features(sides), 150, 0.98, one);
+  const auto depth = ContactDepth(sides, 150).along(path, 0.1, one, 0.98 * std::numbers::sqrt2);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(std::isfinite(depth[i])) << i;
+  EXPECT_TRUE(std::isinf(depth[4]));
+}
+
+TEST(DexelPath, contours_of_a_point_and_of_two_islands_are_closed_lines_through_all_places) {
+  Sides sides;
+  add_side(sides, {3, 4}, {3, 4});
+  add_side(sides, {1000, 4}, {1040, 80});
+  const DiskPath path = dexel_path(outline_features(sides), 150, 0.98, Device::cpu(1));
+  ASSERT_EQ(path.contours.size(), 2U);
+  std::size_t points = 0;
+  for (const Contour& contour : path.contours) {
+    EXPECT_TRUE(contour.closed);
+    for (std::size_t i = 1; i < contour.points.size(); ++i)
+      ASSERT_LE(length(contour.points[i] - contour.points[i - 1]), 0.98 * std::numbers::sqrt2 + 1e-9);
+    points += contour.points.size() - 1;
+  }
+  EXPECT_EQ(points, path.pieces.size());
+}
+
 INSTANTIATE_TEST_SUITE_P(Spacings, RandomOutlines, testing::Values(0.05, 0.2, 0.7));
 
 TEST(DexelPath, shuffling_and_threads_make_no_difference) {
