@@ -32,7 +32,7 @@ class Chain {
       loop.stretches.push_back(wire_[next]);
       if (loop.stretches.size() > 1)
         lift(loop.stretches[loop.stretches.size() - 2].end, loop.stretches.back());
-      next = following(next, loop.stretches.back().end);
+      next = following(next);
     }
     const Parameters start = loop.stretches.front().start, end = loop.stretches.back().end;
     loop.u_turns = whole_turns(start.u, end.u, turn_.u);
@@ -41,22 +41,30 @@ class Chain {
   }
 
  private:
-  // In parts of the face's range, whatever the turn.
-  double distance(Parameters a, Parameters b) const {
-    const double u = a.u - b.u - turn_.u * turns_in(a.u - b.u, turn_.u);
-    const double v = a.v - b.v - turn_.v * turns_in(a.v - b.v, turn_.v);
+  // From the end of one stretch to the start of another, in parts of the face's range: as the file has them,
+  // or whatever the turns.
+  double distance(std::size_t a, std::size_t b, Parameters turn) const {
+    const Parameters p = wire_[a].end, q = wire_[b].start;
+    const double u = p.u - q.u - turn.u * turns_in(p.u - q.u, turn.u);
+    const double v = p.v - q.v - turn.v * turns_in(p.v - q.v, turn.v);
     return (size_.u > 0 ? std::abs(u) / size_.u : 0) + (size_.v > 0 ? std::abs(v) / size_.v : 0);
   }
 
-  // The next in the order given where it fits, else the nearest.
-  std::size_t following(std::size_t last, Parameters end) const {
+  // The next in the order given where it fits, else the nearest. All sides of a torus begin at one point when
+  // turns do not count: they do as long as something fits.
+  std::size_t following(std::size_t last) const {
     const std::size_t next = (last + 1) % wire_.size();
-    if (!used_[next] && distance(end, wire_[next].start) <= meets) return next;
-    std::size_t best = next;
+    if (!used_[next] && distance(last, next, {}) <= meets) return next;
+    const std::size_t best = nearest(last, {});
+    return distance(last, best, {}) <= meets ? best : nearest(last, turn_);
+  }
+
+  std::size_t nearest(std::size_t last, Parameters turn) const {
+    std::size_t best = last;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < wire_.size(); ++i) {
       if (used_[i]) continue;
-      const double d = distance(end, wire_[i].start);
+      const double d = distance(last, i, turn);
       if (d < least) best = i, least = d;
     }
     return best;

@@ -51,8 +51,10 @@ class Trimming {
   // On closed surfaces every loop bounds two faces; of them it has the one on its left.
   bool is_the_other_one(FaceId face) const {
     if (!two_sided_) return false;
-    const auto size = [](const TrimStretch& s) {
-      return std::abs(s.end.u - s.start.u) + std::abs(s.end.v - s.start.v);
+    const auto size = [this](const TrimStretch& s) {
+      const Parameters middle = point(s, 0.5);
+      return std::abs(middle.u - s.start.u) + std::abs(middle.v - s.start.v) + std::abs(s.end.u - middle.u) +
+             std::abs(s.end.v - middle.v);
     };
     const TrimStretch* longest = nullptr;
     for (const TrimLoop& loop : loops_) {
@@ -72,8 +74,8 @@ class Trimming {
 
   // A point on its left.
   Parameters beside(const TrimStretch& s) const {
-    const Parameters a = point(s, 0.499), b = point(s, 0.501);
-    return {(a.u + b.u) / 2 - 1e-3 * (b.v - a.v), (a.v + b.v) / 2 + 1e-3 * (b.u - a.u)};
+    const Parameters a = point(s, 0.499), middle = point(s, 0.5), b = point(s, 0.501);
+    return {middle.u - 0.05 * (b.v - a.v), middle.v + 0.05 * (b.u - a.u)};
   }
 
   // From start to end.
