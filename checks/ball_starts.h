@@ -56,13 +56,10 @@ class BallStartSearch {
     culling_.set_radius(bound);
   }
 
-  GABARIT_HD float limit() const {
-    constexpr float most = std::numeric_limits<float>::max();
-    return culling_.probe() < most ? culling_.probe() : most;
-  }
+  GABARIT_HD float limit() const { return culling_.probe(); }
   template <class Boxes>
   GABARIT_HD unsigned within(const Boxes& boxes, float (&lower)[tree_width]) const {
-    return culling_.within(boxes, limit(), lower);
+    return culling_.within(boxes, culling_.probe(), lower);
   }
   GABARIT_HD void visit(const Primitive& p) {
     if (p.is_facet() != Group::of_facets || p.id == own_ || tried_.has(p.id)) return;
