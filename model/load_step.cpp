@@ -32,13 +32,28 @@ void set_unit(STEPControl_Reader& reader, std::string_view bytes, const std::str
   set_declared_unit(names, file, options, model);
 }
 
+// Parts that would be missing without a word.
+Diagnostic facets_unread(const std::string& file, std::size_t count) {
+  return {.file = file,
+          .message = fmt::format("holds {} bodies or shells as facets without exact surfaces (AP242 "
+                                 "tessellation), which OpenCASCADE 7.6 does not read: nothing is measured "
+                                 "there; export them with exact surfaces, or as STL",
+                                 count)};
+}
+
 Diagnostics transfer(STEPControl_Reader& reader, const std::filesystem::path& file, std::string_view bytes,
                      const LoadOptions& options, const Handle(OcctProgress) & progress, Model& model) {
   reader.TransferRoots(progress->start(read_share, transfer_share));
   if (progress->time_is_over()) return out_of_time(file.string(), options);
   set_unit(reader, bytes, file.string(), options, model);
-  return fill_model(parts(reader, step_names(reader), valid_utf8(file.stem().string())), file.string(),
-                    options, progress, model);
+  std::vector<OcctPart> found = parts(reader, step_names(reader), valid_utf8(file.stem().string()));
+  if (const std::size_t count = step_bodies_of_facets(bytes); count > 0) {
+    Diagnostic unread = facets_unread(file.string(), count);
+    if (found.empty()) return {std::move(unread)};
+    unread.level = Diagnostic::Level::warning;
+    model.warnings.push_back(std::move(unread));
+  }
+  return fill_model(std::move(found), file.string(), options, progress, model);
 }
 
 Diagnostics read(const std::filesystem::path& file, std::string_view bytes, const LoadOptions& options,

@@ -233,8 +233,8 @@ Diagnostics fill_model(std::vector<OcctPart> parts, const std::string& file, con
                        const Handle(OcctProgress) & progress, Model& model) {
   if (parts.empty())
     return {{.file = file,
-             .message = "holds no solid and no surface that OpenCASCADE 7.6 can read (facets without exact "
-                        "surfaces in AP242 are such a case): export it as a solid, or as STL"}};
+             .message = "holds no solid and no surface that OpenCASCADE 7.6 can read: export it as a "
+                        "solid, or as STL"}};
   return Filling(std::move(parts), file, options, progress, model).run();
 }
 

@@ -7,6 +7,37 @@
 #include "model/text_encoding.h"
 
 namespace gabarit {
+namespace {
+
+// The last parameter of the record whose parameters begin at `at`, which goes to the end of the record or, if
+// there is none, of the file.
+std::string_view last_parameter(std::string_view bytes, std::size_t& at) {
+  int depth = 0;
+  bool in_text = false;
+  std::size_t begin = at;
+  for (; at < bytes.size(); ++at) {
+    const char c = bytes[at];
+    if (c == '\'') in_text = !in_text;
+    if (in_text) continue;
+    if (c == '(') ++depth;
+    if (c == ',' && depth == 0) begin = at + 1;
+    if (c == ')' && depth-- == 0) return bytes.substr(begin, at - begin);
+  }
+  return {};
+}
+
+std::size_t without_link(std::string_view bytes, std::string_view key) {
+  std::size_t count = 0;
+  for (std::size_t at = bytes.find(key); at != std::string_view::npos; at = bytes.find(key, at)) {
+    at = bytes.find_first_not_of(" \r\n\t", at + key.size());
+    if (at == std::string_view::npos) break;
+    if (bytes[at++] != '(') continue;
+    count += last_parameter(bytes, at).find('#') == std::string_view::npos ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
 
 Diagnostics step_errors(std::string_view bytes, const std::string& file) {
   const auto error = [&](std::string message) {
@@ -47,6 +78,10 @@ std::vector<std::string> step_conversion_units(std::string_view bytes) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
   return names;
+}
+
+std::size_t step_bodies_of_facets(std::string_view bytes) {
+  return without_link(bytes, "TESSELLATED_SOLID") + without_link(bytes, "TESSELLATED_SHELL");
 }
 
 }  // namespace gabarit

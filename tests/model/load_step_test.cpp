@@ -213,6 +213,22 @@ TEST_F(LoadStep, empty_and_cut_off_files_are_refused) {
       HasSubstr("holds no solid"));
 }
 
+TEST_F(LoadStep, bodies_of_facets_alone_are_never_left_out_without_a_word) {
+  const std::string facets =
+      "#9001=TESSELLATED_SOLID('it''s, (one',(#9002,#9003),$);\n#9004=TESSELLATED_SHELL ('',(#9002),$);\n"
+      "#9005=TESSELLATED_SOLID('the box once more',(#9002),#15);\n";
+  const std::string content = text_of(step(step_shapes::box(10, 20, 30)));
+  std::string both = content;
+  both.insert(both.rfind("ENDSEC;"), facets);
+  const Model model = loaded(text("both.step", both));
+  EXPECT_EQ(model.mesh.facet_count(), 12U);
+  ASSERT_FALSE(model.warnings.empty());
+  EXPECT_THAT(model.warnings.front().message, HasSubstr("holds 2 bodies or shells as facets"));
+  std::string alone = content.substr(0, content.find("DATA;") + 5) + "\n" + facets;
+  alone += "ENDSEC;\nEND-ISO-10303-21;\n";
+  EXPECT_THAT(error_of(text("alone.step", alone)), HasSubstr("holds 2 bodies or shells as facets"));
+}
+
 TEST_F(LoadStep, a_file_with_its_middle_missing_is_refused_or_warned_about_and_never_a_crash) {
   const std::string content = text_of(step(step_shapes::rounded_box(40, 30, 20, 4)));
   for (int part = 1; part < 10; ++part) {
