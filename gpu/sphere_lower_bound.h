@@ -50,7 +50,7 @@ class SphereLowerBound {
   }
 
  private:
-  static constexpr int patience = 96;
+  static constexpr int patience = 192;
 
   GABARIT_HD bool reached(FacetGlance glance, const Primitive& p) const {
     glance.depth -= static_cast<double>(p.sag) + sag_;
