@@ -163,8 +163,12 @@ class ExactBallSearch {
     }
     const SeparationLine line{
         scene_.brep, face, options_.sign, query_.point, query_.direction, -options_.cos_separation};
-    const BallFoot foot = line.least_from(from);
+    BallFoot foot = line.least_from(from);
     count(foot);
+    if (!faces_away(face, foot.at)) {  // it ran into a pole
+      foot.at = from, foot.contact = face_point(scene_.brep, face, from).p;
+      foot.radius = ball_radius(foot.contact - query_.point, query_.direction);
+    }
     if (trim_side(scene_.brep, id, foot.at) != TrimSide::inside) return false;
     record(foot, BallContact::separation, id, no_number, face.tolerance);
     return true;
@@ -240,7 +244,10 @@ class ExactBallSearch {
       const Parameters a = chord.at[side][0], b = chord.at[side][1];
       const Parameters at = nearest_parameters(scene_.brep, face, foot.contact,
                                                {a.u + part * (b.u - a.u), a.v + part * (b.v - a.v)});
-      normal[side] = outward_normal(face_point(scene_.brep, face, at), options_.sign * face.sign);
+      const SurfacePoint s = face_point(scene_.brep, face, at);
+      // Near a pole the search for the parameters can end elsewhere: then nothing is known of the normal.
+      if (length(s.p - foot.contact) > 1e-4 + 2 * edge.tolerance) continue;
+      normal[side] = outward_normal(s, options_.sign * face.sign);
       if (normal[side] != Vec3d{} && eligible(normal[side])) return true;
     }
     if (!EdgeOfChord{{}, {}, options_.sign, 0}.reflex(edge)) return false;

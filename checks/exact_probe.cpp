@@ -28,8 +28,8 @@ ExactBallScene ball_scene(const Scene& scene, const ContactSurface& surface) {
 
 void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
   if (!wall.measured || answer.absence != Absence::none || !std::isfinite(wall.value)) return;
-  // Facets and their sag know better: something was not found. They keep the word.
-  if (wall.value > answer.upper * (1 + 1e-6)) return;
+  // What the facets' own bounds exclude was not found, or found wrongly: then the facets keep the word.
+  if (wall.value > answer.upper * (1 + 1e-6) || wall.value < answer.lower * (1 - 1e-6)) return;
   answer.value = rounded_wall(wall.value);
   answer.at = wall.at;
   answer.contact = wall.ball.contact;
@@ -78,7 +78,8 @@ std::vector<ExactWall> ExactWalls::measure(std::span<const FacetPlace> places) c
     wall.value = 2 * ball.radius;
     const double ahead = dot(ball.contact - queries[i].point, queries[i].direction);
     const double by_edge = ball.edge == no_number ? 0 : 2 * ball.tolerance * ball.radius / ahead;
-    wall.off = ball.kind == BallContact::none ? 0 : by_edge;
+    // What rounding hides is no doubt.
+    wall.off = ball.kind == BallContact::none || by_edge < 5e-7 ? 0 : by_edge;
   }
   return walls;
 }

@@ -86,7 +86,8 @@ void keep(Field& field, const Descent& d, double limit) {
   if (!d.least.measured || !std::isfinite(d.least.value)) return;
   const std::size_t row = d.row;
   const double least = rounded_wall(d.least.value);
-  const bool agrees = d.least.value <= field.upper[row] * (1 + 1e-6);  // else something was not found
+  // What the facets' own bounds exclude was not found, or found wrongly.
+  if (least > field.upper[row] * (1 + 1e-6) || least < field.lower[row] * (1 - 1e-6)) return;
   if (least < field.value[row]) {
     field.value[row] = least;
     field.at[row] = d.least.at;
@@ -94,7 +95,7 @@ void keep(Field& field, const Descent& d, double limit) {
   }
   field.upper[row] = std::min(field.upper[row], least + d.least.off);
   const double lower = std::min(field.value[row], least) - d.least.off;
-  if (agrees && d.sound && limit > 0) field.lower[row] = std::max(field.lower[row], lower);
+  if (d.sound && limit > 0) field.lower[row] = std::max(field.lower[row], lower);
   field.lower[row] = std::min(field.lower[row], field.value[row]);
 }
 

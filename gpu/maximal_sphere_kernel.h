@@ -80,7 +80,7 @@ class MaximalSphere {
   GABARIT_HD const Primitive* touched() const { return touched_; }
 
  private:
-  static constexpr int patience = 96;
+  static constexpr int patience = 192;
 
   GABARIT_HD void visit_facet(const Primitive& p) {
     const Vec3d d = query_.direction;

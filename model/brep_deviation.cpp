@@ -75,7 +75,13 @@ double facet_deviation(const BrepView& brep, const FacetOrigin& origin, const st
 void settle_poles(const Brep& brep, FacetOrigin& facet) {
   const BrepView arrays = view(brep);
   const Face& face = brep.faces[facet.face];
-  const SurfaceKind kind = brep.surfaces[face.surface].kind;
+  const Surface& surface = brep.surfaces[face.surface];
+  const SurfaceKind kind = surface.kind;
+  // A hair beyond a pole the normal is the opposite one.
+  for (Parameters& corner : facet.corners) {
+    if (!surface.u_periodic) corner.u = std::clamp(corner.u, surface.domain.u0, surface.domain.u1);
+    if (!surface.v_periodic) corner.v = std::clamp(corner.v, surface.domain.v0, surface.domain.v1);
+  }
   if (kind == SurfaceKind::plane || kind == SurfaceKind::cylinder || kind == SurfaceKind::torus) return;
   const std::array<Parameters, 3> corners = facet.corners;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -7,7 +7,8 @@
 namespace gabarit {
 
 // At a pole or an apex one parameter means nothing, and the tessellation's own may be anything. This notes
-// which corner that is and sets the parameter to the mean of the other two corners'.
+// which corner that is and sets the parameter to the mean of the other two corners'. Corners that files put a
+// hair beyond the surface's own ends are brought back.
 void settle_poles(const Brep& brep, FacetOrigin& facet);
 
 // mm: the greatest distance between the surface and its facets, over ten points a facet of
