@@ -107,8 +107,20 @@ class ExactBallSearch {
     const FacetOrigin& origin = scene_.origins[p.id];
     const Parameters start = eligible_start(origin, parameters_of(p, origin, search.start.contact));
     settled = faces_away(scene_.brep.faces[origin.face], start) && try_face(origin.face, start);
+    if (try_line_through(origin, start)) settled = true;
     tried.add(p.id, settled ? origin.face : no_number);
     return true;
+  }
+
+  // Where the line on which the normal turns away just far enough crosses the facet, the way down from the
+  // facet need not cross it: it is followed from here as well.
+  GABARIT_HD bool try_line_through(const FacetOrigin& origin, Parameters start) {
+    bool found = false;
+    for (const Parameters& corner : origin.corners) {
+      if (faces_away(scene_.brep.faces[origin.face], corner)) continue;
+      if (try_separation(origin.face, start, corner)) found = true;
+    }
+    return found;
   }
 
   // A place on the facet where the surface turns away far enough, if there is one: `start`, or a corner.
