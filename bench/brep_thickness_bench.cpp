@@ -18,6 +18,7 @@
 #include "gpu/maximal_sphere.h"
 #include "model/brep_tangent_ball.h"
 #include "model/load.h"
+#include "tests/dense_boundary.h"
 #include "tests/step_shapes.h"
 
 namespace gabarit {
@@ -55,28 +56,6 @@ std::vector<FacetPlace> places_on(const TriangleMesh& mesh, const ContactSurface
     }
   }
   return places;
-}
-
-struct BoundaryPoint {
-  Vec3d p, normal;
-};
-
-std::vector<BoundaryPoint> dense_boundary(const Brep& brep, std::size_t a_face) {
-  const BrepView arrays = view(brep);
-  std::mt19937 random(9);
-  std::uniform_real_distribution<double> share(0, 1);
-  std::vector<BoundaryPoint> points;
-  for (FaceId f = 0; f < brep.faces.size(); ++f) {
-    const Face& face = brep.faces[f];
-    for (std::size_t i = 0; i < a_face; ++i) {
-      const Parameters at{face.range.u0 + share(random) * (face.range.u1 - face.range.u0),
-                          face.range.v0 + share(random) * (face.range.v1 - face.range.v0)};
-      if (trim_side(arrays, f, at) != TrimSide::inside) continue;
-      const SurfacePoint s = face_point(arrays, face, at);
-      points.push_back({s.p, outward_normal(s, face.sign)});
-    }
-  }
-  return points;
 }
 
 // How many of every `step`-th place are beaten by a point of the boundary by more than 1e-4.

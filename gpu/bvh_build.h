@@ -10,6 +10,19 @@
 
 namespace gabarit {
 
+// Of absent children only.
+GABARIT_HD inline BvhNode empty_node() {
+  BvhNode node{};
+  for (int i = 0; i < tree_width; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      node.lo[k][i] = std::numeric_limits<float>::infinity();
+      node.hi[k][i] = -std::numeric_limits<float>::infinity();
+    }
+    node.child[i] = no_child;
+  }
+  return node;
+}
+
 // A primitive's box relative to the origin of the tree, rounded outwards.
 struct BoxedPrimitive {
   Box3f box;

@@ -172,18 +172,6 @@ struct Pending {
   int depth;
 };
 
-BvhNode empty_node() {
-  BvhNode node{};
-  for (int i = 0; i < tree_width; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      node.lo[k][i] = std::numeric_limits<float>::infinity();
-      node.hi[k][i] = -std::numeric_limits<float>::infinity();
-    }
-    node.child[i] = no_child;
-  }
-  return node;
-}
-
 // Makes one node; the parts that are no leaves go to `pending`.
 void add_node(Splitter& splitter, const Range& range, int depth, SplitTree& tree,
               std::vector<Pending>& pending) {

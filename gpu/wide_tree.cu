@@ -107,7 +107,7 @@ struct MakeNodes {
     const Parts& all = parts[i];
     const std::uint32_t number = first_node + static_cast<std::uint32_t>(i);
     std::uint32_t leaf = leaves_before[i], inner = inner_before[i];
-    BvhNode node = empty();
+    BvhNode node = empty_node();
     for (int k = 0; k < all.size; ++k) {
       const BuildRange& range = all.part[k].range;
       for (int axis = 0; axis < 3; ++axis) {
@@ -126,19 +126,6 @@ struct MakeNodes {
     }
     nodes[i] = node;
     parent[i] = wanted[i].parent;
-  }
-
- private:
-  GABARIT_HD static BvhNode empty() {
-    BvhNode node{};
-    for (int i = 0; i < tree_width; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        node.lo[k][i] = std::numeric_limits<float>::infinity();
-        node.hi[k][i] = -std::numeric_limits<float>::infinity();
-      }
-      node.child[i] = no_child;
-    }
-    return node;
   }
 };
 
