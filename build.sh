@@ -101,6 +101,8 @@ bundle_architectures() {
   done
   local IFS=';'
   echo "-DCMAKE_CUDA_ARCHITECTURES=${wanted[*]};90"
+  # The code of six kinds of GPU is most of the program: as small as this nvcc can pack it.
+  if "$nvcc" --help | grep -q -- --compress-mode; then echo "-DCMAKE_CUDA_FLAGS=--compress-mode=size"; fi
 }
 
 # licence_texts FOLDER: of every library and font in the bundle, and of what was compiled in.
