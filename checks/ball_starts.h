@@ -61,8 +61,8 @@ class BallStartSearch {
     return culling_.probe() < most ? culling_.probe() : most;
   }
   template <class Boxes>
-  GABARIT_HD unsigned within(const Boxes& boxes, float (&lower)[tree_width]) const {
-    return culling_.within(boxes, limit(), lower);
+  GABARIT_HD void within(const Boxes& boxes, EightFloats& lower) const {
+    culling_.within(boxes, lower);
   }
   GABARIT_HD void visit(const Primitive& p) {
     if (p.is_facet() != Group::of_facets || p.id == own_ || tried_.has(p.id)) return;
@@ -102,7 +102,7 @@ class BallStartSearch {
   std::uint32_t own_;
   const TriedStarts& tried_;
   const Group& group_;
-  SphereCulling culling_;
+  SphereCulling<true> culling_;
 };
 
 }  // namespace gabarit

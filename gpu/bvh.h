@@ -39,7 +39,7 @@ constexpr std::uint32_t no_child = 0xffffffffU;
 constexpr std::uint32_t leaf_flag = 0x80000000U;
 
 // The children side by side, so that one vector instruction tests eight. Coordinates are relative to
-// BvhView::origin. An absent child has an empty box.
+// BvhView::origin. An absent child lies infinitely far away.
 struct alignas(32) BvhNode {
   float lo[3][tree_width];
   float hi[3][tree_width];
@@ -47,6 +47,9 @@ struct alignas(32) BvhNode {
   float offset[tree_width];         // axis · p >= offset for every point p below
   float cone[tree_width];           // cosine of the widest angle between axis and a normal below; -1: any
   std::uint32_t child[tree_width];  // a node, or leaf_flag | leaf
+
+  GABARIT_HD float low(int k, int i) const { return lo[k][i]; }
+  GABARIT_HD float high(int k, int i) const { return hi[k][i]; }
 };
 
 struct BvhView {

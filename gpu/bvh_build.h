@@ -16,7 +16,7 @@ GABARIT_HD inline BvhNode empty_node() {
   for (int i = 0; i < tree_width; ++i) {
     for (int k = 0; k < 3; ++k) {
       node.lo[k][i] = std::numeric_limits<float>::infinity();
-      node.hi[k][i] = -std::numeric_limits<float>::infinity();
+      node.hi[k][i] = std::numeric_limits<float>::infinity();
     }
     node.child[i] = no_child;
   }

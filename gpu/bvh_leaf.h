@@ -25,23 +25,9 @@ struct alignas(32) BvhLeaf {
   GABARIT_HD float place(int axis, std::uint32_t at) const {
     return from[axis] + step[axis] * static_cast<float>(static_cast<std::int32_t>(at));
   }
+  // Ends of the i-th box, relative to the origin of the tree.
+  GABARIT_HD float low(int axis, int i) const { return place(axis, lo[i] >> bits * axis & most); }
+  GABARIT_HD float high(int axis, int i) const { return place(axis, hi[i] >> bits * axis & most); }
 };
-
-// Boxes side by side, relative to the origin of the tree.
-struct EightBoxes {
-  float lo[3][leaf_width];
-  float hi[3][leaf_width];
-};
-
-GABARIT_HD inline EightBoxes boxes_of(const BvhLeaf& leaf) {
-  EightBoxes boxes;
-  for (int i = 0; i < leaf_width; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      boxes.lo[k][i] = leaf.place(k, leaf.lo[i] >> BvhLeaf::bits * k & BvhLeaf::most);
-      boxes.hi[k][i] = leaf.place(k, leaf.hi[i] >> BvhLeaf::bits * k & BvhLeaf::most);
-    }
-  }
-  return boxes;
-}
 
 }  // namespace gabarit

@@ -17,19 +17,16 @@ class Nearest {
   GABARIT_HD float limit() const { return limit_; }
 
   template <class Boxes>
-  GABARIT_HD unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
-    unsigned mask = 0;
+  GABARIT_HD void within(const Boxes& node, EightFloats& lower) const {
     for (int i = 0; i < tree_width; ++i) {
       float sum = 0;
       for (int k = 0; k < 3; ++k) {
-        const float below = node.lo[k][i] - origin_[k], above = origin_[k] - node.hi[k][i];
+        const float below = node.low(k, i) - origin_[k], above = origin_[k] - node.high(k, i);
         const float outside = (below > above ? below : above) - slop_;
         sum += outside > 0 ? outside * outside : 0.0F;
       }
       lower[i] = sum * (1 - 2e-6F);
-      mask |= lower[i] <= limit_ ? 1U << i : 0U;
     }
-    return mask;
   }
 
   GABARIT_HD void visit(const Primitive& p) {
@@ -60,9 +57,10 @@ struct ClosestBatch {
   View<const Vec3d> points;
   View<ClosestPoint> closest;
 
-  GABARIT_HD void operator()(std::int64_t i) const {
+  template <VectorSet set>
+  GABARIT_HD void run(std::int64_t i) const {
     Nearest query(tree, points[i]);
-    traverse(tree, query);
+    traverse<set>(tree, query);
     closest[i] = query.result();
   }
 };

@@ -22,23 +22,25 @@ struct SphereRuns {
   GABARIT_HD bool is_loose(const SphereQuery& q) const {
     return q.sag > 0 || q.spacing > 0 || q.tilt > 0 || tree.greatest_sag > 0;
   }
+  template <VectorSet set>
   GABARIT_HD double lower_bound(const SphereQuery& query, double known, const Primitive* contact) const {
     SphereLowerBound bound(tree, options, query, known);
     if (contact != nullptr) bound.visit(*contact);
-    traverse(tree, bound);
+    traverse<set>(tree, bound);
     return bound.result();
   }
 
-  GABARIT_HD void operator()(std::int64_t run) const {
+  template <VectorSet set>
+  GABARIT_HD void run(std::int64_t index) const {
     const Primitive* guess = nullptr;
-    const std::int64_t end = (run + 1) * length < queries.size ? (run + 1) * length : queries.size;
-    for (std::int64_t i = run * length; i < end; ++i) {
+    const std::int64_t end = (index + 1) * length < queries.size ? (index + 1) * length : queries.size;
+    for (std::int64_t i = index * length; i < end; ++i) {
       MaximalSphere sphere(tree, options, queries[i]);
       if (guess != nullptr) sphere.start_from(*guess);
-      traverse(tree, sphere);
+      traverse<set>(tree, sphere);
       contacts[i] = sphere.result();
       if (is_loose(queries[i]))
-        contacts[i].lower = lower_bound(queries[i], contacts[i].lower, sphere.touched());
+        contacts[i].lower = lower_bound<set>(queries[i], contacts[i].lower, sphere.touched());
       if (sphere.touched() != nullptr) guess = sphere.touched();
     }
   }

@@ -50,9 +50,9 @@ class MaximalSphere {
   GABARIT_HD float limit() const { return limit_; }
 
   template <class Boxes>
-  GABARIT_HD unsigned within(const Boxes& boxes, float (&lower)[tree_width]) {
+  GABARIT_HD void within(const Boxes& boxes, EightFloats& lower) {
     if (++visits_ > patience) limit_ = culling_.probe() / gap_.widen();
-    return culling_.within(boxes, limit_, lower);
+    culling_.within(boxes, lower);
   }
 
   GABARIT_HD void visit(const Primitive& p) {
@@ -154,7 +154,7 @@ class MaximalSphere {
   const BvhView& tree_;
   const SphereOptions& options_;
   const SphereQuery& query_;
-  SphereCulling culling_;
+  SphereCulling<false> culling_;
   SphereContact best_;
   double reach_ = 0;
   const Primitive* touched_ = nullptr;

@@ -18,21 +18,33 @@ namespace gabarit {
 void run_chunks(int threads, std::int64_t n, std::int64_t grain, void* context,
                 void (*body)(void* context, std::int64_t begin, std::int64_t end));
 
+// A kernel that is written for the set gets to know it.
+template <VectorSet set, class Kernel>
+GABARIT_HD inline void run_index(const Kernel& kernel, std::int64_t i) {
+  if constexpr (requires { kernel.template run<set>(i); })
+    kernel.template run<set>(i);
+  else
+    kernel(i);
+}
+
 template <class Kernel>
 void run_portable(void* kernel, std::int64_t begin, std::int64_t end) {
-  for (std::int64_t i = begin; i < end; ++i) (*static_cast<const Kernel*>(kernel))(i);
+  for (std::int64_t i = begin; i < end; ++i)
+    run_index<VectorSet::portable>(*static_cast<const Kernel*>(kernel), i);
 }
 
 #if GABARIT_X86
 template <class Kernel>
 __attribute__((target("avx2"), flatten)) void run_avx2(void* kernel, std::int64_t begin, std::int64_t end) {
-  for (std::int64_t i = begin; i < end; ++i) (*static_cast<const Kernel*>(kernel))(i);
+  for (std::int64_t i = begin; i < end; ++i)
+    run_index<VectorSet::avx2>(*static_cast<const Kernel*>(kernel), i);
 }
 template <class Kernel>
 __attribute__((target("avx512f,avx512vl,avx512dq"), flatten)) void run_avx512(void* kernel,
                                                                               std::int64_t begin,
                                                                               std::int64_t end) {
-  for (std::int64_t i = begin; i < end; ++i) (*static_cast<const Kernel*>(kernel))(i);
+  for (std::int64_t i = begin; i < end; ++i)
+    run_index<VectorSet::avx512>(*static_cast<const Kernel*>(kernel), i);
 }
 #endif
 
@@ -66,7 +78,7 @@ void check_cuda(int status, int device);
 template <class Kernel>
 __global__ void cuda_kernel(Kernel kernel, std::int64_t begin, std::int64_t end) {
   const std::int64_t i = begin + static_cast<std::int64_t>(blockIdx.x) * blockDim.x + threadIdx.x;
-  if (i < end) kernel(i);
+  if (i < end) run_index<VectorSet::portable>(kernel, i);
 }
 template <class Kernel>
 void run_cuda(const Device& device, std::int64_t n, const Kernel& kernel) {

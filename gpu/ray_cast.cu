@@ -7,6 +7,8 @@ namespace {
 
 class FirstHit {
  public:
+  static constexpr bool cheap_to_visit = true;
+
   GABARIT_HD FirstHit(const BvhView& tree, const Ray& ray) : tree_(tree), ray_(ray) {
     const Vec3d o = ray.point - tree.origin;
     Vec3f origin;
@@ -17,10 +19,7 @@ class FirstHit {
     }
     const Vec3f a = max(origin, -origin);
     const float slop = 1e-6F * (tree.reach + (a.x > a.y ? (a.x > a.z ? a.x : a.z) : (a.y > a.z ? a.y : a.z)));
-    for (int k = 0; k < 3; ++k) {
-      const float back = inverse_[k] > 0 ? slop : -slop;
-      enter_from_[k] = origin[k] + back, leave_from_[k] = origin[k] - back;
-    }
+    for (int k = 0; k < 3; ++k) low_from_[k] = origin[k] + slop, high_from_[k] = origin[k] - slop;
     from_ = static_cast<float>(ray.from) * (1 - 1e-6F);
   }
 
@@ -28,26 +27,19 @@ class FirstHit {
   GABARIT_HD float limit() const { return limit_; }
 
   template <class Boxes>
-  GABARIT_HD unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
-    const float* enter[3];
-    const float* leave[3];
-    for (int k = 0; k < 3; ++k) {
-      const bool up = inverse_[k] > 0;
-      enter[k] = up ? node.lo[k] : node.hi[k], leave[k] = up ? node.hi[k] : node.lo[k];
-    }
-    const Vec3f from = enter_from_, to = leave_from_, inverse = inverse_;
-    unsigned mask = 0;
+  GABARIT_HD void within(const Boxes& node, EightFloats& lower) const {
+    const Vec3f from = low_from_, to = high_from_, inverse = inverse_;
     for (int i = 0; i < tree_width; ++i) {
       float near = from_, far = limit_;
       for (int k = 0; k < 3; ++k) {
-        const float u = (enter[k][i] - from[k]) * inverse[k], v = (leave[k][i] - to[k]) * inverse[k];
-        near = u > near ? u : near;
-        far = v < far ? v : far;
+        const float u = (node.low(k, i) - from[k]) * inverse[k], v = (node.high(k, i) - to[k]) * inverse[k];
+        const float enter = u < v ? u : v, leave = u < v ? v : u;
+        near = enter > near ? enter : near;
+        far = leave < far ? leave : far;
       }
-      lower[i] = near * (1 - 4e-6F);
-      mask |= lower[i] <= far * (1 + 4e-6F) ? 1U << i : 0U;
+      near *= 1 - 4e-6F;
+      lower[i] = near <= far * (1 + 4e-6F) ? near : std::numeric_limits<float>::infinity();
     }
-    return mask;
   }
 
   // Möller & Trumbore, Fast, Minimum Storage Ray-Triangle Intersection, 1997.
@@ -83,9 +75,9 @@ class FirstHit {
   const BvhView& tree_;
   const Ray& ray_;
   RayHit hit_;
-  Vec3f enter_from_, leave_from_, inverse_;
+  Vec3f low_from_, high_from_, inverse_;
   float from_ = 0;
-  float limit_ = std::numeric_limits<float>::max();
+  float limit_ = 0.5F * std::numeric_limits<float>::max();  // an absent child is infinitely far
 };
 
 struct RayBatch {
@@ -93,9 +85,10 @@ struct RayBatch {
   View<const Ray> rays;
   View<RayHit> hits;
 
-  GABARIT_HD void operator()(std::int64_t i) const {
+  template <VectorSet set>
+  GABARIT_HD void run(std::int64_t i) const {
     FirstHit query(tree, rays[i]);
-    traverse(tree, query);
+    traverse<set>(tree, query);
     hits[i] = query.result();
   }
 };

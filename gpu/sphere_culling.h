@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu/maximal_sphere.h"
+#include "gpu/no_greater.h"
 
 namespace gabarit {
 
@@ -28,6 +29,8 @@ struct Looseness {
   float inflation = 0, spacing = 0, tilt = 0;
 };
 
+// Exact queries leave out all that looseness costs.
+template <bool loose>
 class SphereCulling {
  public:
   GABARIT_HD SphereCulling(const BvhView& tree, const SphereOptions& options, const Vec3d& point,
@@ -36,7 +39,7 @@ class SphereCulling {
     origin_ = to_float(base_);
     direction_ = to_float(direction);
     cosine_ = static_cast<float>(options.cos_separation);
-    sine_ = std::sqrt(1 - cosine_ * cosine_);
+    squared_sine_ = 1 - cosine_ * cosine_;
     for (int k = 0; k < 3; ++k) {
       const float across = 1 - direction_[k] * direction_[k];
       across_[k] = std::sqrt((across > 0 ? across : 0.0F) + 4e-7F);
@@ -51,67 +54,69 @@ class SphereCulling {
   }
   GABARIT_HD float probe() const { return probe_; }
 
-  GABARIT_HD unsigned within(const EightBoxes& boxes, float limit, float (&lower)[leaf_width]) const {
+  // Infinity: no ball of the radius reaches it.
+  GABARIT_HD void within(const BvhLeaf& boxes, EightFloats& lower) const {
     const Ball ball(*this);
-    unsigned mask = 0;
-    for (int i = 0; i < leaf_width; ++i) {
-      lower[i] = ball.bound(boxes, i);
-      mask |= lower[i] <= limit ? 1U << i : 0U;
-    }
-    return mask;
+    for (int i = 0; i < leaf_width; ++i) lower[i] = ball.bound(boxes, i);
   }
 
-  GABARIT_HD unsigned within(const BvhNode& node, float limit, float (&lower)[tree_width]) const {
+  GABARIT_HD void within(const BvhNode& node, EightFloats& lower) const {
     const Ball ball(*this);
     const Vec3f o = origin_, d = direction_;
-    const float slop = slop_, cosine = cosine_, sine = sine_;
-    unsigned mask = 0;
+    const float slop = slop_, cosine = cosine_, squared_sine = squared_sine_;
+    const float spacing = loose_.spacing, tilt = loose_.tilt;
     for (int i = 0; i < tree_width; ++i) {
       const float by_box = ball.bound(node, i);
       // Every q below has axis·q >= h: its ball is no smaller than the one that is tangent to that plane.
       const float along = node.axis[0][i] * d.x + node.axis[1][i] * d.y + node.axis[2][i] * d.z;
-      const float rest = 1 - along * along;
-      const float across = std::sqrt(rest > 0 ? rest : 0.0F);
-      const float h = node.offset[i] -
-                      (node.axis[0][i] * o.x + node.axis[1][i] * o.y + node.axis[2][i] * o.z) - slop -
-                      loose_.spacing * across;
-      const float by_plane =
-          h / (1 + along + across * loose_.tilt + 0.5F * loose_.tilt * loose_.tilt + 4e-6F) * (1 - 2e-6F);
-      // No normal below turns away far enough: along < cos(cone + pi - separation).
+      float h =
+          node.offset[i] - (node.axis[0][i] * o.x + node.axis[1][i] * o.y + node.axis[2][i] * o.z) - slop;
+      float spread = 1 + along + 4e-6F;
+      if constexpr (loose) {
+        const float rest = 1 - along * along;
+        const float across = std::sqrt(rest > 0 ? rest : 0.0F);
+        h -= spacing * across;
+        spread += across * tilt + 0.5F * tilt * tilt;
+      }
+      const float by_plane = h / spread * (1 - 2e-6F);
+      // No normal below turns away far enough: along < cos(cone + pi - separation), without a square root.
       const float narrow = node.cone[i];
-      const float wide = std::sqrt(1 - narrow * narrow);
-      const bool faces = (narrow <= cosine) | (along >= -narrow * cosine - wide * sine - 4e-6F);
+      const float beyond = along + narrow * cosine + 4e-6F;
+      const bool faces =
+          (narrow <= cosine) | (beyond >= 0) | (beyond * beyond <= (1 - narrow * narrow) * squared_sine);
       const float bound = by_plane > by_box ? by_plane : by_box;
       lower[i] = faces ? bound : std::numeric_limits<float>::infinity();
-      mask |= lower[i] <= limit ? 1U << i : 0U;
     }
-    return mask;
   }
 
  private:
   // What stays the same for all boxes, in variables of its own: they are registers.
   struct Ball {
-    Vec3f o, c, near, nearer;  // a disk across the direction reaches less far along some axes than others
+    Vec3f o, c, near, nearer;
     float t, tt;
     GABARIT_HD explicit Ball(const SphereCulling& s)
         : o(s.origin_),
           c(s.centre_),
-          near(Vec3f{s.slop_, s.slop_, s.slop_} + s.loose_.spacing * s.across_),
+          near{s.slop_, s.slop_, s.slop_},
+          nearer(near),
           t(s.probe_),
           tt(s.probe_ * s.probe_) {
-      const float turn = s.probe_ * s.loose_.tilt, sag = 0.5F * turn * s.loose_.tilt;
-      nearer = near + Vec3f{sag, sag, sag} + turn * s.across_;
+      if constexpr (loose) {  // a disk across the direction reaches less far along some axes than others
+        const float turn = s.probe_ * s.loose_.tilt, sag = 0.5F * turn * s.loose_.tilt;
+        near += s.loose_.spacing * s.across_;
+        nearer = near + Vec3f{sag, sag, sag} + turn * s.across_;
+      }
     }
 
     // Every q in the box has |q|² >= a and |q - t d|² >= b.
     template <class Boxes>
     GABARIT_HD float bound(const Boxes& boxes, int i) const {
-      const float a = square(boxes.lo[0][i] - o.x, o.x - boxes.hi[0][i], near.x) +
-                      square(boxes.lo[1][i] - o.y, o.y - boxes.hi[1][i], near.y) +
-                      square(boxes.lo[2][i] - o.z, o.z - boxes.hi[2][i], near.z);
-      const float b = square(boxes.lo[0][i] - c.x, c.x - boxes.hi[0][i], nearer.x) +
-                      square(boxes.lo[1][i] - c.y, c.y - boxes.hi[1][i], nearer.y) +
-                      square(boxes.lo[2][i] - c.z, c.z - boxes.hi[2][i], nearer.z);
+      const float a = square(boxes.low(0, i) - o.x, o.x - boxes.high(0, i), near.x) +
+                      square(boxes.low(1, i) - o.y, o.y - boxes.high(1, i), near.y) +
+                      square(boxes.low(2, i) - o.z, o.z - boxes.high(2, i), near.z);
+      const float b = square(boxes.low(0, i) - c.x, c.x - boxes.high(0, i), nearer.x) +
+                      square(boxes.low(1, i) - c.y, c.y - boxes.high(1, i), nearer.y) +
+                      square(boxes.low(2, i) - c.z, c.z - boxes.high(2, i), nearer.z);
       const float by_box = t * a / (a + (tt - b) + 2e-6F * tt) * (1 - 2e-6F);
       return b < tt ? (by_box > 0 ? by_box : 0.0F) : std::numeric_limits<float>::infinity();
     }
@@ -134,7 +139,7 @@ class SphereCulling {
   Looseness loose_;
   Vec3f origin_, direction_, centre_;
   Vec3f across_;  // how far a disk of radius 1 across the direction reaches along each axis
-  float probe_ = 0, slop_ = 0, cosine_ = 0, sine_ = 0;
+  float probe_ = 0, slop_ = 0, cosine_ = 0, squared_sine_ = 0;
 };
 
 }  // namespace gabarit

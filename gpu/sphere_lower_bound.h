@@ -27,9 +27,9 @@ class SphereLowerBound {
   GABARIT_HD float limit() const { return limit_; }
 
   template <class Boxes>
-  GABARIT_HD unsigned within(const Boxes& boxes, float (&lower)[tree_width]) {
+  GABARIT_HD void within(const Boxes& boxes, EightFloats& lower) {
     if (++visits_ > patience) limit_ = culling_.probe() / gap_.widen();
-    return culling_.within(boxes, limit_, lower);
+    culling_.within(boxes, lower);
   }
 
   GABARIT_HD void visit(const Primitive& p) {
@@ -198,7 +198,7 @@ class SphereLowerBound {
   const SphereQuery& query_;
   double sag_, spacing_, tilt_;
   double least_;
-  SphereCulling culling_;
+  SphereCulling<true> culling_;
   SearchGap gap_;
   float limit_ = 0;
   int visits_ = 0;

@@ -47,19 +47,19 @@ GABARIT_HD inline TangentBall ball_through_triangle(const Vec3d& d, const Vec3d&
   const Vec3d raw = cross(ca, ab);
   const double area = length(raw);
   if (!(area > 0)) return {};
-  Vec3d m = raw / area;
-  double h = dot(m, a);
-  if (h < 0) h = -h, m = -m;  // m points from the origin to the plane
-  const double spread = 1 + dot(m, d);
+  double h = dot(raw, a);
+  Vec3d n = raw;
+  if (h < 0) h = -h, n = -n;  // n, as long as the area, points from the origin to the plane
+  const double spread = area + dot(n, d);
   bool beyond_ab = true, beyond_bc = true, beyond_ca = true;
   if (spread > 0) {
     const double t = h / spread;
     if (t > limit) return {};
-    const Vec3d p = t * (d + m);
-    beyond_ab = dot(cross(ab, p - a), raw) < 0;
-    beyond_bc = dot(cross(bc, p - b), raw) < 0;
-    beyond_ca = dot(cross(ca, p - c), raw) < 0;
-    if (!beyond_ab && !beyond_bc && !beyond_ca) return {t, p};
+    const Vec3d p = t * (area * d + n);  // area times the contact
+    beyond_ab = dot(cross(ab, p - area * a), raw) < 0;
+    beyond_bc = dot(cross(bc, p - area * b), raw) < 0;
+    beyond_ca = dot(cross(ca, p - area * c), raw) < 0;
+    if (!beyond_ab && !beyond_bc && !beyond_ca) return {t, p / area};
   }
   // Balls cut the plane in nested disks: the smallest that reaches the triangle does so at an edge that the
   // smallest of all lies beyond.

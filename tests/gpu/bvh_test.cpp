@@ -17,7 +17,8 @@ bool holds(const Box3f& box, const Vec3d& p) {
 
 template <class Boxes>
 Box3f box_of(const Boxes& boxes, int i) {
-  return {{boxes.lo[0][i], boxes.lo[1][i], boxes.lo[2][i]}, {boxes.hi[0][i], boxes.hi[1][i], boxes.hi[2][i]}};
+  return {{boxes.low(0, i), boxes.low(1, i), boxes.low(2, i)},
+          {boxes.high(0, i), boxes.high(1, i), boxes.high(2, i)}};
 }
 
 // How often each primitive is met below a child whose boxes all hold it, by its place in the order.
@@ -34,13 +35,12 @@ void meet(const BvhView& tree, std::uint32_t child, const std::vector<Box3f>& ar
   }
   const BvhLeaf& leaf = tree.leaves[child & ~leaf_flag];
   ASSERT_LE(leaf.count, static_cast<std::uint32_t>(leaf_width));
-  const EightBoxes boxes = boxes_of(leaf);
   for (std::uint32_t i = 0; i < leaf.count; ++i) {
     const Primitive& p = tree.primitives[leaf.first + i];
     bool inside = true;
     for (int c = 0; c < (p.is_facet() ? 3 : 2); ++c) {
       const Vec3d at = tree.corner(p, c) - tree.origin;
-      inside = inside && holds(box_of(boxes, static_cast<int>(i)), at);
+      inside = inside && holds(box_of(leaf, static_cast<int>(i)), at);
       for (const Box3f& box : around) inside = inside && holds(box, at);
     }
     met[leaf.first + i] += inside ? 1 : 100;

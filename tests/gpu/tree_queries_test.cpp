@@ -139,9 +139,9 @@ class Counted : public MaximalSphere {
   std::size_t looks = 0;
 
   template <class Boxes>
-  unsigned within(const Boxes& boxes, float (&lower)[tree_width]) {
+  void within(const Boxes& boxes, EightFloats& lower) {
     ++looks;
-    return MaximalSphere::within(boxes, lower);
+    MaximalSphere::within(boxes, lower);
   }
   void visit(const Primitive& p) {
     ++looks;
