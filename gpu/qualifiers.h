@@ -10,6 +10,11 @@
 #define GABARIT_CUDA_COMPILER 0
 #endif
 
+// 1 in the .cu files, whichever compiler reads them: their kernels can run on a device.
+#if !defined(GABARIT_DEVICE_SOURCE)
+#define GABARIT_DEVICE_SOURCE 0
+#endif
+
 #if defined(__CUDA_ARCH__)
 #define GABARIT_ON_GPU 1
 #else
