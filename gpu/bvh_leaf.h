@@ -35,6 +35,7 @@ struct EightBoxes {
 
 GABARIT_HD inline EightBoxes boxes_of(const BvhLeaf& leaf) {
   EightBoxes boxes;
+  GABARIT_UNROLL
   for (int i = 0; i < leaf_width; ++i) {
     for (int k = 0; k < 3; ++k) {
       boxes.lo[k][i] = leaf.place(k, leaf.lo[i] >> BvhLeaf::bits * k & BvhLeaf::most);

@@ -19,6 +19,7 @@ class Nearest {
   template <class Boxes>
   GABARIT_HD unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
     unsigned mask = 0;
+    GABARIT_UNROLL
     for (int i = 0; i < tree_width; ++i) {
       float sum = 0;
       for (int k = 0; k < 3; ++k) {

@@ -5,6 +5,44 @@
 namespace gabarit {
 namespace {
 
+// Where a ray enters and leaves boxes along each axis. A CPU picks whole rows of coordinates once; a GPU
+// picks each, as memory that is pointed into cannot be registers.
+template <class Boxes>
+class SidesByRow {
+ public:
+  GABARIT_HD SidesByRow(const Boxes& boxes, const Vec3f& inverse) {
+    for (int k = 0; k < 3; ++k) {
+      const bool up = inverse[k] > 0;
+      enter_[k] = up ? boxes.lo[k] : boxes.hi[k], leave_[k] = up ? boxes.hi[k] : boxes.lo[k];
+    }
+  }
+  GABARIT_HD float enter(int axis, int i) const { return enter_[axis][i]; }
+  GABARIT_HD float leave(int axis, int i) const { return leave_[axis][i]; }
+
+ private:
+  const float* enter_[3];
+  const float* leave_[3];
+};
+template <class Boxes>
+class SidesByValue {
+ public:
+  GABARIT_HD SidesByValue(const Boxes& boxes, const Vec3f& inverse) : boxes_(boxes) {
+    for (int k = 0; k < 3; ++k) up_[k] = inverse[k] > 0;
+  }
+  GABARIT_HD float enter(int axis, int i) const {
+    return up_[axis] ? boxes_.lo[axis][i] : boxes_.hi[axis][i];
+  }
+  GABARIT_HD float leave(int axis, int i) const {
+    return up_[axis] ? boxes_.hi[axis][i] : boxes_.lo[axis][i];
+  }
+
+ private:
+  const Boxes& boxes_;
+  bool up_[3];
+};
+template <class Boxes>
+using Sides = std::conditional_t<on_gpu, SidesByValue<Boxes>, SidesByRow<Boxes>>;
+
 class FirstHit {
  public:
   GABARIT_HD FirstHit(const BvhView& tree, const Ray& ray) : tree_(tree), ray_(ray) {
@@ -29,18 +67,15 @@ class FirstHit {
 
   template <class Boxes>
   GABARIT_HD unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
-    const float* enter[3];
-    const float* leave[3];
-    for (int k = 0; k < 3; ++k) {
-      const bool up = inverse_[k] > 0;
-      enter[k] = up ? node.lo[k] : node.hi[k], leave[k] = up ? node.hi[k] : node.lo[k];
-    }
+    const Sides<Boxes> sides(node, inverse_);
     const Vec3f from = enter_from_, to = leave_from_, inverse = inverse_;
     unsigned mask = 0;
+    GABARIT_UNROLL
     for (int i = 0; i < tree_width; ++i) {
       float near = from_, far = limit_;
       for (int k = 0; k < 3; ++k) {
-        const float u = (enter[k][i] - from[k]) * inverse[k], v = (leave[k][i] - to[k]) * inverse[k];
+        const float u = (sides.enter(k, i) - from[k]) * inverse[k],
+                    v = (sides.leave(k, i) - to[k]) * inverse[k];
         near = u > near ? u : near;
         far = v < far ? v : far;
       }

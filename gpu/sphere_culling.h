@@ -54,6 +54,7 @@ class SphereCulling {
   GABARIT_HD unsigned within(const EightBoxes& boxes, float limit, float (&lower)[leaf_width]) const {
     const Ball ball(*this);
     unsigned mask = 0;
+    GABARIT_UNROLL
     for (int i = 0; i < leaf_width; ++i) {
       lower[i] = ball.bound(boxes, i);
       mask |= lower[i] <= limit ? 1U << i : 0U;
@@ -66,6 +67,7 @@ class SphereCulling {
     const Vec3f o = origin_, d = direction_;
     const float slop = slop_, cosine = cosine_, sine = sine_;
     unsigned mask = 0;
+    GABARIT_UNROLL
     for (int i = 0; i < tree_width; ++i) {
       const float by_box = ball.bound(node, i);
       // Every q below has axis·q >= h: its ball is no smaller than the one that is tangent to that plane.
