@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 #include "gpu/device.h"
 #include "gpu/qualifiers.h"
+#include "gpu/simulated_memory.h"
 
 namespace gabarit {
 
@@ -93,6 +95,8 @@ void parallel_for(const Device& device, std::int64_t n, const Kernel& kernel, st
     throw std::logic_error("a kernel outside the .cu files cannot run on a device");
 #endif
   if (device.kind == Device::Kind::cuda) return run_cuda(device, n, kernel);
+  std::optional<SimulatedAccess> access;
+  if (device.has_own_memory()) access.emplace();
   run_chunks(device.threads, n, grain, const_cast<Kernel*>(&kernel), chunk_runner<Kernel>(device.vectors));
 }
 
