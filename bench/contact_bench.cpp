@@ -58,7 +58,7 @@ void path_of_one_radius(benchmark::State& state) {
   stage(state, [](const Stages& s) { return disk_path(s.outline, radius, s.device, &s.grid); });
 }
 void depth_of_one_radius(benchmark::State& state) {
-  stage(state, [](const Stages& s) { return ContactDepth(s.sides, radius).along(s.path, sag, s.device); });
+  stage(state, [](const Stages& s) { return ContactDepth(s.sides, radius, s.device).along(s.path, sag); });
 }
 void contact(benchmark::State& state) {
   const Scene scene(model_of(state.range(0)), device_of(state));

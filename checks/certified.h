@@ -2,7 +2,7 @@
 // rationals on doubt.
 #pragma once
 
-#include "checks/plan.h"
+#include "gpu/point2.h"
 
 namespace gabarit {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "checks/plan.h"
+#include "gpu/point2.h"
 
 namespace gabarit {
 

@@ -9,8 +9,8 @@
 
 #include "checks/dexel_contours.h"
 #include "checks/disjoint_sets.h"
-#include "checks/segment_grid.h"
 #include "gpu/dexel.h"
+#include "gpu/segment_grid.h"
 
 namespace gabarit {
 namespace {

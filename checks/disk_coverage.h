@@ -7,7 +7,7 @@
 
 #include "checks/disk_path.h"
 #include "checks/free_intervals.h"
-#include "checks/segment_grid.h"
+#include "gpu/segment_grid.h"
 
 namespace gabarit {
 

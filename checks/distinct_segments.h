@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "checks/outline_features.h"
-#include "checks/segment_grid.h"
+#include "gpu/segment_grid.h"
 
 namespace gabarit {
 

@@ -15,10 +15,16 @@ double widest(const std::vector<float>& leans) {
   return leans.empty() ? 0 : static_cast<double>(*std::max_element(leans.begin(), leans.end()));
 }
 
-ExactBallScene ball_scene(const Scene& scene, const ContactSurface& surface) {
+// Exact balls are found by the CPU, wherever the tree was built.
+std::shared_ptr<const Bvh> tree_here(const Bvh& tree) {
+  if (tree.device().has_own_memory()) return std::make_shared<const Bvh>(tree.on_host());
+  return {std::shared_ptr<const Bvh>(), &tree};
+}
+
+ExactBallScene ball_scene(const Scene& scene, const Bvh& tree) {
   const Brep& brep = *scene.model().brep;
   return {.brep = view(brep),
-          .facets = surface.tree.view(),
+          .facets = tree.view(),
           .origins = view(std::span<const FacetOrigin>(brep.facets)),
           .leans = view(std::span<const float>(scene.facet_leans())),
           .widest_lean = widest(scene.facet_leans()),
@@ -42,7 +48,7 @@ void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
 }  // namespace
 
 ExactWalls::ExactWalls(const Scene& scene, const ContactSurface& surface, const ExactWallOptions& options)
-    : scene_(&scene), balls_(ball_scene(scene, surface)), options_(options) {
+    : scene_(&scene), tree_(tree_here(surface.tree)), balls_(ball_scene(scene, *tree_)), options_(options) {
   ball_options_ = {.cos_separation = std::cos(options.separation),
                    .sign = options.side == Side::inside ? 1.0 : -1.0,
                    .greatest_radius = options.greatest / 2,

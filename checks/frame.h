@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "gpu/box.h"
+#include "gpu/plan_axes.h"
 #include "gpu/vec3.h"
 
 namespace gabarit {
@@ -18,7 +19,8 @@ struct Frame {
   double height(const Vec3d& p) const { return dot(p, up) - ground; }
   // Vehicle coordinates (ISO 4130): x rearward, z up, right-handed (y to the right of the driver), z = 0 on
   // the ground.
-  Vec3d to_vehicle(const Vec3d& p) const { return {-dot(p, forward), -dot(p, left()), height(p)}; }
+  Vec3d to_vehicle(const Vec3d& p) const { return plan_axes()(p); }
+  PlanAxes plan_axes() const { return {forward, left(), up, ground}; }
   Vec3d direction_to_vehicle(const Vec3d& d) const { return {-dot(d, forward), -dot(d, left()), dot(d, up)}; }
   Vec3d from_vehicle(const Vec3d& q) const { return up * (q.z + ground) - forward * q.x - left() * q.y; }
 };

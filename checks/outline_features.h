@@ -5,18 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "checks/plan.h"
-#include "model/triangle_mesh.h"
+#include "gpu/plan_sides.h"
 
 namespace gabarit {
-
-// A side of a projected facet, and where it comes from.
-struct PlanSide {
-  Point2 from, to;
-  FacetId facet;
-  std::uint8_t edge;  // of the facet; 3: where the height band cuts it
-  int turn;  // 1: the rest of the facet lies left of the side, -1: right, 0: it projects to the side itself
-};
 
 struct OutlineFeatures {
   std::vector<Point2> points;

@@ -7,7 +7,7 @@
 
 #include "checks/disjoint_sets.h"
 #include "checks/path_joins.h"
-#include "checks/segment_grid.h"
+#include "gpu/segment_grid.h"
 
 namespace gabarit {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "gpu/segment2.h"
+
 namespace gabarit {
 namespace {
 

@@ -8,7 +8,7 @@
 
 namespace gabarit {
 
-// All sides of every facet that `grid` cannot rule out, facet by facet in ascending order.
+// All sides of every facet that `grid` cannot rule out, facet by facet in ascending order. Turns are exact.
 std::vector<PlanSide> reachable_sides(const PlanProjection& plan, const ReachGrid& grid);
 
 }  // namespace gabarit

@@ -136,7 +136,7 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
                         scene.device());
   const std::vector<PlanSide> sides = reachable_sides(plan, reach);
   const OutlineFeatures outline = outline_features(sides);
-  const ContactDepth contact(sides, column.radius);
+  const ContactDepth contact(sides, column.radius, scene.device());
   std::array<DiskPath, 3> paths;
   std::array<std::vector<float>, 3> depths;
   std::vector<std::uint8_t> missed;
@@ -145,7 +145,7 @@ Region vertical_cylinder_contact(const Scene& scene, const Setup& setup, const V
     if (k == 0)
       missed = missed_by(paths[k], reach, dexel_spacing(column) * std::numbers::sqrt2, scene.device());
     if (column.motion == Motion::sweep) paths[k] = sweep_part(paths[k]);
-    depths[k] = contact.along(paths[k], disk[k].tolerance, scene.device(), disk[k].apart);
+    depths[k] = contact.along(paths[k], disk[k].tolerance, disk[k].apart);
     if (setup.progress) setup.progress(0.3 + 0.2 * static_cast<double>(k + 1));
   }
   select(region, sides, depths);

@@ -29,7 +29,14 @@ class Buffer {
     host_ = {};
   }
   Buffer(const Device& device, std::span<const T> elements)
-      : Buffer(device, std::vector<T>(elements.begin(), elements.end())) {}
+      : size_(static_cast<std::int64_t>(elements.size())) {
+    if (!device.has_own_memory()) {
+      host_.assign(elements.begin(), elements.end());
+      return;
+    }
+    remote_ = DeviceMemory(device, bytes());
+    remote_.write(elements.data(), bytes());
+  }
   // For a kernel to write to: what is in it cannot be relied on.
   static Buffer of_size(const Device& device, std::int64_t n) {
     if (!device.has_own_memory()) return {device, std::vector<T>(static_cast<std::size_t>(n))};
@@ -47,7 +54,11 @@ class Buffer {
     if (remote_.data()) return remote_.read(into.data(), bytes());
     std::copy(host_.begin(), host_.end(), into.begin());
   }
-  std::vector<T> read() const {
+  std::vector<T> read() && {
+    if (!remote_.data()) return std::move(host_);
+    return std::as_const(*this).read();
+  }
+  std::vector<T> read() const& {
     std::vector<T> all(static_cast<std::size_t>(size_));
     read(std::span<T>(all));
     return all;

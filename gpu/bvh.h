@@ -76,7 +76,9 @@ class Bvh {
   // Volume Hierarchies, 2007), eight children at once; the same tree for any number of threads.
   Bvh(const Device& device, FacetSurface surface);
 
-  BvhView view() const;
+  BvhView view() const;  // of the device's memory
+  // A copy in the memory of the CPU beside the device, for what only a CPU computes.
+  Bvh on_host() const;
   const Device& device() const { return device_; }
   std::size_t bytes() const;
   // Ids in the order of the tree: neighbours in the list are neighbours in space.

@@ -18,6 +18,7 @@ class Nearest {
 
   template <class Boxes>
   GABARIT_HD void within(const Boxes& node, EightFloats& lower) const {
+    GABARIT_UNROLL
     for (int i = 0; i < tree_width; ++i) {
       float sum = 0;
       for (int k = 0; k < 3; ++k) {

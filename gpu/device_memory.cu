@@ -1,10 +1,10 @@
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 
 #include "gpu/device_error.h"
 #include "gpu/device_memory.h"
 #include "gpu/qualifiers.h"
+#include "gpu/simulated_memory.h"
 
 namespace gabarit {
 
@@ -75,14 +75,13 @@ std::vector<std::string> cuda_devices() { return {}; }
 
 static void* allocate(const Device& device, std::size_t bytes) {
   if (device.kind == Device::Kind::cuda) return allocate_there(device, bytes);
-  constexpr std::size_t alignment = 256;  // that of CUDA
-  void* const data = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  void* const data = allocate_simulated(bytes);
   if (data == nullptr) throw OutOfDeviceMemory("the simulated device has not enough free memory");
   return data;
 }
 
 static void release(const Device& device, void* data, std::size_t bytes) {
-  device.kind == Device::Kind::cuda ? free_there(device, data) : std::free(data);
+  device.kind == Device::Kind::cuda ? free_there(device, data) : release_simulated(data);
   if (device.limit != nullptr) device.limit->give_back(bytes);
 }
 
@@ -111,12 +110,14 @@ DeviceMemory::DeviceMemory(const Device& device, std::size_t bytes) : device_(de
 void DeviceMemory::write(const void* from, std::size_t bytes) {
   if (bytes == 0) return;
   if (device_.kind == Device::Kind::cuda) return copy_there(device_, data_.get(), from, bytes);
+  const SimulatedAccess access;
   std::memcpy(data_.get(), from, bytes);
 }
 
 void DeviceMemory::read(void* into, std::size_t bytes) const {
   if (bytes == 0) return;
   if (device_.kind == Device::Kind::cuda) return copy_there(device_, into, data_.get(), bytes);
+  const SimulatedAccess access;
   std::memcpy(into, data_.get(), bytes);
 }
 

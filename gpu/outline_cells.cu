@@ -108,13 +108,6 @@ constexpr std::int64_t grain = 16384;
 
 OutlineCells::OutlineCells(const Device& device, const PlanMesh& mesh, const CellGrid& grid)
     : device_(device), grid_(grid), mesh_(mesh) {
-  if (device.has_own_memory()) {
-    points_ = Buffer<Vec3d>(device, std::span(mesh.points.data, static_cast<std::size_t>(mesh.points.size)));
-    facets_ = Buffer<std::array<std::uint32_t, 3>>(
-        device, std::span(mesh.facets.data, static_cast<std::size_t>(mesh.facets.size)));
-    mesh_.points = std::as_const(points_).view();
-    mesh_.facets = std::as_const(facets_).view();
-  }
   at_ = Buffer<std::int32_t>::of_size(device, mesh.points.size);
   parallel_for(device, mesh.points.size, CellOfPoint{mesh_, grid, at_.view()}, grain);
 }

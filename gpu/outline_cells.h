@@ -13,7 +13,7 @@ namespace gabarit {
 // what the height band leaves of all facets, and have fewer than 2^31 cells.
 class OutlineCells {
  public:
-  // `mesh`: views of the host's memory, which must outlive this.
+  // `mesh`: views of the device's memory, which must outlive this.
   OutlineCells(const Device& device, const PlanMesh& mesh, const CellGrid& grid);
 
   // Sets to 1 the cells that hold a point of any outline.
@@ -25,9 +25,7 @@ class OutlineCells {
  private:
   Device device_;
   CellGrid grid_;
-  PlanMesh mesh_;  // in the device's memory
-  Buffer<Vec3d> points_;
-  Buffer<std::array<std::uint32_t, 3>> facets_;
+  PlanMesh mesh_;
   Buffer<std::int32_t> at_;  // the cell of each point; negative outside the height band
 };
 

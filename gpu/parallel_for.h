@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 #include "gpu/device.h"
 #include "gpu/qualifiers.h"
+#include "gpu/simulated_memory.h"
 
 namespace gabarit {
 
@@ -100,7 +102,13 @@ void run_cuda(const Device&, std::int64_t, const Kernel&) {
 // thread.
 template <class Kernel>
 void parallel_for(const Device& device, std::int64_t n, const Kernel& kernel, std::int64_t grain = 1024) {
+#if !GABARIT_DEVICE_SOURCE
+  if (device.has_own_memory())
+    throw std::logic_error("a kernel outside the .cu files cannot run on a device");
+#endif
   if (device.kind == Device::Kind::cuda) return run_cuda(device, n, kernel);
+  std::optional<SimulatedAccess> access;
+  if (device.has_own_memory()) access.emplace();
   run_chunks(device.threads, n, grain, const_cast<Kernel*>(&kernel), chunk_runner<Kernel>(device.vectors));
 }
 

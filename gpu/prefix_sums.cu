@@ -3,6 +3,7 @@
 #include "gpu/parallel_for.h"
 #include "gpu/prefix_sums.h"
 #include "gpu/qualifiers.h"
+#include "gpu/simulated_memory.h"
 
 #if GABARIT_CUDA_COMPILER
 #include <cub/device/device_scan.cuh>
@@ -41,10 +42,12 @@ PrefixSums prefix_sums(const Device& device, const Buffer<std::uint32_t>& counts
   PrefixSums sums{Buffer<std::uint32_t>::of_size(device, counts.size()), 0};
   const View<const std::uint32_t> in = counts.view();
   if (in.size == 0) return sums;
-  if (device.kind == Device::Kind::cuda)
+  if (device.kind == Device::Kind::cuda) {
     scan_there(device, in, sums.before.view());
-  else
+  } else {
+    const SimulatedAccess access;
     std::exclusive_scan(in.data, in.data + in.size, sums.before.view().data, 0U);
+  }
   auto total = Buffer<std::uint32_t>::of_size(device, 1);
   parallel_for(device, 1, Last{in, std::as_const(sums.before).view(), total.view()});
   sums.total = total.read().front();

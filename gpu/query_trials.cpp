@@ -11,7 +11,11 @@
 #include "gpu/distance_transform.h"
 #include "gpu/maximal_sphere.h"
 #include "gpu/outline_cells.h"
+#include "gpu/plan_facets.h"
+#include "gpu/plan_sides.h"
 #include "gpu/ray_cast.h"
+#include "gpu/rolling_depth.h"
+#include "gpu/segment_grid.h"
 
 namespace gabarit {
 namespace {
@@ -34,6 +38,10 @@ void add(Bits& bits, const SphereContact& c) {
 void add(Bits& bits, const RayHit& hit) { bits.add(hit.distance).add(hit.facing).add(hit.facet); }
 void add(Bits& bits, const ClosestPoint& c) { bits.add(c.distance).add(c.point).add(c.facet); }
 void add(Bits& bits, const Dexel& d) { bits.add(d.from).add(d.to); }
+void add(Bits& bits, const PlanSide& s) {
+  bits.add(s.from.x).add(s.from.y).add(s.to.x).add(s.to.y).add(s.facet);
+  bits.add(std::uint32_t{s.edge}).add(static_cast<std::uint32_t>(s.turn));
+}
 void add(Bits& bits, float x) { bits.add(static_cast<double>(x)); }
 void add(Bits& bits, std::uint8_t x) { bits.add(std::uint32_t{x}); }
 void add(Bits& bits, std::uint32_t x) { bits.add(x); }
@@ -107,45 +115,119 @@ PreparedTrial tree(const Device& device, const FacetSurface& surface) {
   return {[=, &surface] { *order = Bvh(device, surface).order(); }, [order] { return bits_of(*order); }};
 }
 
-// Room for the surface on about a million cells.
+std::vector<std::array<std::uint32_t, 3>> corners_of(const FacetSurface& surface) {
+  std::vector<std::array<std::uint32_t, 3>> facets;
+  for (const Primitive& p : surface.primitives) facets.push_back(p.corner);
+  return facets;
+}
+
+// Room for the surface, on a million cells for large ones.
 CellGrid grid_over(const FacetSurface& surface) {
   Box3d box;
   for (const Vec3d& p : surface.points) box.add(p);
   const double side = 1.1 * std::max(box.extent().x, box.extent().y) + 1e-9;
   const Vec3d middle = box.centre();
-  return {{middle.x - side / 2, middle.y - side / 2}, side / 1000, 1001, 1001};
+  const auto cells = static_cast<std::int64_t>(
+      std::clamp(7 * std::sqrt(static_cast<double>(surface.primitives.size())), 64.0, 1000.0));
+  return {
+      {middle.x - side / 2, middle.y - side / 2}, side / static_cast<double>(cells), cells + 1, cells + 1};
+}
+
+// Between two heights, so that some facets are cut.
+PlanFacets plan_of(const Device& device, const FacetSurface& surface,
+                   const std::vector<std::array<std::uint32_t, 3>>& facets) {
+  Box3d box;
+  for (const Vec3d& p : surface.points) box.add(p);
+  const double part = box.extent().z / 7;
+  return {device, surface.points, facets, {}, box.min.z + part, box.max.z - part};
 }
 
 struct PlanState {
   CellGrid grid;
   std::vector<std::array<std::uint32_t, 3>> facets;
+  PlanFacets plan;
+  OutlineCells outlines;
   std::vector<std::uint8_t> cells;
   std::vector<float> distance;
 
-  explicit PlanState(const FacetSurface& surface)
-      : grid(grid_over(surface)), cells(static_cast<std::size_t>(grid.count())), distance(cells.size()) {
-    for (const Primitive& p : surface.primitives) facets.push_back(p.corner);
-  }
-  PlanMesh mesh(const FacetSurface& surface) const {
-    constexpr double all = std::numeric_limits<double>::infinity();
-    return {view(std::span(surface.points)), view(std::span(facets)), -all, all};
-  }
-  void mark(const Device& device, const FacetSurface& surface) {
+  PlanState(const Device& device, const FacetSurface& surface)
+      : grid(grid_over(surface)),
+        facets(corners_of(surface)),
+        plan(plan_of(device, surface, facets)),
+        outlines(device, plan.mesh(), grid),
+        cells(static_cast<std::size_t>(grid.count())),
+        distance(cells.size()) {}
+  void mark() {
     std::fill(cells.begin(), cells.end(), std::uint8_t{0});
-    OutlineCells(device, mesh(surface), grid).mark(cells);
+    outlines.mark(cells);
   }
 };
 
+PreparedTrial projection(const Device& device, const FacetSurface& surface) {
+  struct State {
+    std::vector<std::array<std::uint32_t, 3>> facets;
+    std::vector<PlanSide> sides;
+  };
+  const auto state = std::make_shared<State>(State{corners_of(surface), {}});
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t f = 0; f < state->facets.size(); f += 2) chosen.push_back(f);
+  return {[=, &surface] {
+            const PlanFacets plan = plan_of(device, surface, state->facets);
+            state->sides = plan_sides(device, plan.mesh(), chosen);
+          },
+          [state] { return bits_of(state->sides); }};
+}
+
 PreparedTrial raster(const Device& device, const FacetSurface& surface) {
-  const auto state = std::make_shared<PlanState>(surface);
-  return {[=, &surface] { state->mark(device, surface); }, [state] { return bits_of(state->cells); }};
+  const auto state = std::make_shared<PlanState>(device, surface);
+  return {[=] { state->mark(); }, [state] { return bits_of(state->cells); }};
 }
 
 PreparedTrial distances(const Device& device, const FacetSurface& surface) {
-  const auto state = std::make_shared<PlanState>(surface);
-  state->mark(device.host(), surface);
+  const auto state = std::make_shared<PlanState>(device.host(), surface);
+  state->mark();
   return {[=] { distance_transform(device, state->grid, state->cells, state->distance); },
           [state] { return bits_of(state->distance); }};
+}
+PreparedTrial near_facets(const Device& device, const FacetSurface& surface) {
+  const auto state = std::make_shared<PlanState>(device, surface);
+  state->mark();
+  distance_transform(device.host(), state->grid, state->cells, state->distance);
+  for (float& d : state->distance) d = std::abs(d - static_cast<float>(20 * state->grid.size));
+  const auto near = std::make_shared<std::vector<std::uint8_t>>(surface.primitives.size());
+  return {[=] { state->outlines.near(state->distance, 20.3 * state->grid.size, *near); },
+          [near] { return bits_of(*near); }};
+}
+
+// A disk that rolls around the surface, touching hardly anything.
+PreparedTrial depths(const Device& device, const FacetSurface& surface) {
+  struct State {
+    std::vector<Segment2> segments, centres;
+    RollingDisk disk;
+    std::vector<float> depth;
+  };
+  const auto state = std::make_shared<State>();
+  for (const Primitive& p : surface.primitives) {
+    const Vec3d& a = surface.points[p.corner[0]];
+    const Vec3d& b = surface.points[p.corner[1]];
+    state->segments.push_back({{a.x, a.y}, {b.x, b.y}});
+  }
+  const CellGrid grid = grid_over(surface);
+  const double side = grid.size * static_cast<double>(grid.columns);
+  const Point2 middle = grid.origin + Point2{side, side} * 0.5;
+  constexpr int around = 200;
+  for (int i = 0; i < around; ++i) {
+    const Point2 out{around - 2.0 * i, i % 7 * (i < around / 2 ? 40.0 : -40.0)};
+    const Point2 from = middle + out * (0.8 * side / length(out));
+    state->centres.push_back({from, i % 3 == 0 ? from + Point2{side / around, side / around} : from});
+  }
+  state->disk = {side / 4, side / 4, 0};
+  return {[=] {
+            const SegmentGrid grid_of_segments(state->segments, side / 200);
+            const RollingDepth rolling(device, grid_of_segments.lists(), state->segments);
+            state->depth = rolling.along(state->centres, state->disk);
+          },
+          [state] { return bits_of(state->depth); }};
 }
 
 PreparedTrial dexels(const Device& device, const FacetSurface& surface) {
@@ -174,8 +256,11 @@ constexpr std::array trials{QueryTrial{"tree build", tree},
                             QueryTrial{"largest balls", spheres},
                             QueryTrial{"rays", rays},
                             QueryTrial{"closest points", nearest},
+                            QueryTrial{"plan projection", projection},
                             QueryTrial{"outline raster", raster},
                             QueryTrial{"distance transform", distances},
+                            QueryTrial{"facets near", near_facets},
+                            QueryTrial{"contact depths", depths},
                             QueryTrial{"dexels", dexels}};
 
 }  // namespace

@@ -29,6 +29,7 @@ class FirstHit {
   template <class Boxes>
   GABARIT_HD void within(const Boxes& node, EightFloats& lower) const {
     const Vec3f from = low_from_, to = high_from_, inverse = inverse_;
+    GABARIT_UNROLL
     for (int i = 0; i < tree_width; ++i) {
       float near = from_, far = limit_;
       for (int k = 0; k < 3; ++k) {

@@ -57,6 +57,7 @@ class SphereCulling {
   // Infinity: no ball of the radius reaches it.
   GABARIT_HD void within(const BvhLeaf& boxes, EightFloats& lower) const {
     const Ball ball(*this);
+    GABARIT_UNROLL
     for (int i = 0; i < leaf_width; ++i) lower[i] = ball.bound(boxes, i);
   }
 
@@ -65,6 +66,7 @@ class SphereCulling {
     const Vec3f o = origin_, d = direction_;
     const float slop = slop_, cosine = cosine_, squared_sine = squared_sine_;
     const float spacing = loose_.spacing, tilt = loose_.tilt;
+    GABARIT_UNROLL
     for (int i = 0; i < tree_width; ++i) {
       const float by_box = ball.bound(node, i);
       // Every q below has axis·q >= h: its ball is no smaller than the one that is tangent to that plane.

@@ -5,9 +5,31 @@
 #pragma once
 
 #include "gpu/bvh.h"
+#include "gpu/bvh_limits.h"
 #include "gpu/no_greater.h"
 
 namespace gabarit {
+
+// Calls use(i) for the bits that are set among the lowest eight, lowest first. A GPU asks for each: indices
+// that it knows when it compiles leave small arrays in registers.
+template <class Use>
+GABARIT_HD void for_each_bit(unsigned bits, Use&& use) {
+  if constexpr (on_gpu) {
+    GABARIT_UNROLL
+    for (int i = 0; i < tree_width; ++i)
+      if ((bits >> i & 1U) != 0) use(i);
+  } else {
+    for (; bits != 0; bits &= bits - 1) use(lowest_bit(bits));
+  }
+}
+
+GABARIT_HD inline float one_of(const EightFloats& values, int at) {
+  if constexpr (!on_gpu) return values[at];
+  float value = values[0];
+  GABARIT_UNROLL
+  for (int i = 1; i < tree_width; ++i) value = i == at ? values[i] : value;
+  return value;
+}
 
 // Nearest bound first, unless a visit costs less than the order.
 template <VectorSet set, class Query>
@@ -15,58 +37,62 @@ GABARIT_HD inline void visit_leaf(const BvhView& tree, const BvhLeaf& leaf, Quer
   EightFloats lower;
   query.within(leaf, lower);
   unsigned mask = no_greater<set>(lower, query.limit()) & ((1U << leaf.count) - 1);
-  if constexpr (requires { Query::cheap_to_visit; }) {
-    for (; mask != 0; mask &= mask - 1) {
-      const int i = lowest_bit(mask);
-      if (lower[i] <= query.limit()) query.visit(tree.primitives[leaf.first + static_cast<unsigned>(i)]);
+  for (; mask != 0;) {
+    int next = lowest_bit(mask);
+    if constexpr (!requires { Query::cheap_to_visit; }) {
+      for (unsigned rest = mask & (mask - 1); rest != 0; rest &= rest - 1)
+        if (one_of(lower, lowest_bit(rest)) < one_of(lower, next)) next = lowest_bit(rest);
     }
-  }
-  while (mask != 0) {
-    int nearest = lowest_bit(mask);
-    for (unsigned rest = mask & (mask - 1); rest != 0; rest &= rest - 1)
-      if (lower[lowest_bit(rest)] < lower[nearest]) nearest = lowest_bit(rest);
-    if (!(lower[nearest] <= query.limit())) return;
-    mask &= ~(1U << nearest);
-    query.visit(tree.primitives[leaf.first + static_cast<unsigned>(nearest)]);
+    mask &= ~(1U << next);
+    if (one_of(lower, next) <= query.limit())
+      query.visit(tree.primitives[leaf.first + static_cast<unsigned>(next)]);
   }
 }
 
+struct TreeEntry {
+  float bound;
+  std::uint32_t child;
+};
+
+// The children within the limit, in order on the stack but for the nearest, which needs no turn. Returns the
+// new top; `now` stays what it was when there is no child.
+template <VectorSet set, class Query>
+GABARIT_HD inline int sort_children(const BvhNode& node, Query& query, TreeEntry& now, TreeEntry* stack,
+                                    int base) {
+  EightFloats lower;
+  query.within(node, lower);
+  int top = base;
+  bool first = true;
+  for_each_bit(no_greater<set>(lower, query.limit()), [&](int i) {
+    TreeEntry later{lower[i], node.child[i]};
+    if (first || later.bound <= now.bound) {
+      const TreeEntry other = now;
+      now = later, later = other;
+      if (first) return void(first = false);
+    }
+    int k = top++;
+    for (; k > base && stack[k - 1].bound < later.bound; --k) stack[k] = stack[k - 1];
+    stack[k] = later;
+  });
+  return first ? -1 : top;
+}
+
 // Nearest bound first. Bounds are kept with the children and looked at again when their turn comes, as the
-// limit has shrunk by then; the nearest child needs no turn.
+// limit has shrunk by then.
 template <VectorSet set = VectorSet::portable, class Query>
 GABARIT_HD void traverse(const BvhView& tree, Query& query) {
-  struct Entry {
-    float bound;
-    std::uint32_t child;
-  };
-  // The tree is at most 14 + 11 levels deep (bvh_split.cpp), each leaves at most seven entries behind.
-  Entry stack[tree_width * 32];
+  // Each level leaves at most seven entries behind, the last all eight.
+  TreeEntry stack[(greatest_depth - 1) * (tree_width - 1) + tree_width];
   int top = 0;
   if (tree.nodes.size == 0) return;
-  Entry now{0.0F, 0};
+  TreeEntry now{0.0F, 0};
   while (true) {
     if (now.child & leaf_flag) {
       visit_leaf<set>(tree, tree.leaves[now.child & ~leaf_flag], query);
     } else {
-      const BvhNode& node = tree.nodes[now.child];
-      EightFloats lower;
-      query.within(node, lower);
-      unsigned mask = no_greater<set>(lower, query.limit());
-      if (mask != 0) {
-        const int base = top;
-        int i = lowest_bit(mask);
-        now = {lower[i], node.child[i]};
-        for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
-          i = lowest_bit(mask);
-          Entry later{lower[i], node.child[i]};
-          if (later.bound <= now.bound) {
-            const Entry other = now;
-            now = later, later = other;
-          }
-          int k = top++;
-          for (; k > base && stack[k - 1].bound < later.bound; --k) stack[k] = stack[k - 1];
-          stack[k] = later;
-        }
+      const int filled = sort_children<set>(tree.nodes[now.child], query, now, stack, top);
+      if (filled >= 0) {
+        top = filled;
         continue;
       }
     }

@@ -1,6 +1,7 @@
 // Needs nothing but a compiler: the tree against brute force, every set of vector instructions and every CUDA
-// device against the portable code, bit for bit, and a table of times. Ends with 1 and a sentence for each
-// thing that is wrong. Usage: gpu_self_test [FACETS]
+// device against the portable code, bit for bit, and a table of times, each the median of RUNS. Ends with 1
+// and a sentence for each thing that is wrong. Usage: gpu_self_test [FACETS [RUNS]]
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -142,42 +143,43 @@ void every_device_gives_the_same_bits(const FacetSurface& surface) {
   expect(same(ask(Device::simulated(2), surface), reference), "the simulated device");
 }
 
-// The least of three runs after one that warms up, in milliseconds.
-double milliseconds(const PreparedTrial& trial) {
+// The median of so many runs after one that warms up, in milliseconds.
+double milliseconds(const PreparedTrial& trial, int runs) {
   trial.run();
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
+  std::vector<double> all;
+  for (int i = 0; i < runs; ++i) {
     const auto start = std::chrono::steady_clock::now();
     trial.run();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    least = std::min(least, took.count());
+    all.push_back(took.count());
   }
-  return least;
+  std::nth_element(all.begin(), all.begin() + runs / 2, all.end());
+  return all[static_cast<std::size_t>(runs / 2)];
 }
 
-void print_row(const QueryTrial& trial, const FacetSurface& surface, bool with_cuda) {
+void print_row(const QueryTrial& trial, const FacetSurface& surface, int runs, bool with_cuda) {
   const PreparedTrial here = trial.prepare(Device::cpu(), surface);
-  const double on_cpu = milliseconds(here);
+  const double on_cpu = milliseconds(here, runs);
   std::printf("%-20s %9zu %10.2f", trial.name, surface.primitives.size(), on_cpu);
   if (!with_cuda) {
     std::printf(" %10s %8s %s\n", "-", "-", "-");
     return;
   }
   const PreparedTrial there = trial.prepare(Device::cuda(), surface);
-  const double on_cuda = milliseconds(there);
+  const double on_cuda = milliseconds(there, runs);
   const bool equal = here.bits() == there.bits();
   std::printf(" %10.2f %8.1f %s\n", on_cuda, on_cpu / on_cuda, equal ? "yes" : "NO");
   expect(equal, std::string(trial.name) + " on CUDA and on the CPU");
 }
 
-void print_table(const FacetSurface& surface) {
+void print_table(const FacetSurface& surface, int runs) {
   const auto devices = cuda_devices();
   if (devices.empty())
     std::printf("No CUDA device can be used here: its columns are empty.\n");
   else
     std::printf("CUDA: %s. Times with the copies to and from the device.\n", devices.front().c_str());
   std::printf("%-20s %9s %10s %10s %8s %s\n", "query", "facets", "CPU ms", "CUDA ms", "ratio", "bits equal");
-  for (const QueryTrial& trial : query_trials()) print_row(trial, surface, !devices.empty());
+  for (const QueryTrial& trial : query_trials()) print_row(trial, surface, runs, !devices.empty());
 }
 
 void an_empty_surface_has_no_contacts() {
@@ -188,7 +190,7 @@ void an_empty_surface_has_no_contacts() {
   expect(contact.primitive == SphereContact::none, "an empty surface has a contact");
 }
 
-void test_all(double facets) {
+void test_all(double facets, int runs) {
   for (const FacetSurface& surface : {bumpy_ball(30, 40, 10, 0.2), bumpy_ball(24, 40, 10, 0),
                                       bumpy_ball(12, 16, 0.5, 0.1, {9000, -4000, 250})}) {
     the_tree_finds_what_brute_force_finds(surface);
@@ -196,7 +198,7 @@ void test_all(double facets) {
   }
   an_empty_surface_has_no_contacts();
   const int side = static_cast<int>(std::sqrt(facets / 2));
-  print_table(bumpy_ball(side, side, 10, 0.2));
+  print_table(bumpy_ball(side, side, 10, 0.2), runs);
 }
 
 }  // namespace
@@ -205,9 +207,11 @@ void test_all(double facets) {
 int main(int argc, char** argv) {
   using namespace gabarit;
   const double facets = argc > 1 ? std::atof(argv[1]) : 20'000;
-  if (!(facets >= 32 && facets <= 1e8)) return std::printf("usage: gpu_self_test [FACETS]\n"), 2;
+  const int runs = argc > 2 ? std::atoi(argv[2]) : 3;
+  if (!(facets >= 32 && facets <= 1e8 && runs >= 1 && runs <= 100'000))
+    return std::printf("usage: gpu_self_test [FACETS [RUNS]]\n"), 2;
   try {
-    test_all(facets);
+    test_all(facets, runs);
   } catch (const std::exception& error) {
     expect(false, error.what());
   }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "checks/plan.h"
+#include "gpu/segment2.h"
 
 namespace gabarit {
 namespace {

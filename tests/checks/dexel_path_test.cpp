@@ -131,10 +131,10 @@ TEST_P(RandomOutlines, every_place_touches_and_a_slightly_smaller_disk_gets_ther
     for (const Point2 p : places(sides, radius, GetParam())) ASSERT_NEAR(distance(sides, p), radius, 1e-9);
     const OutlineFeatures outline = outline_features(sides);
     const double smaller = radius - GetParam() / std::numbers::sqrt2;
-    const ContactDepth contact(sides, radius);
+    const ContactDepth contact(sides, radius, Device::cpu(1));
     const Device one = Device::cpu(1);
-    const auto found = contact.along(dexel_path(outline, radius, GetParam(), one), 1e-6, one);
-    const auto truth = contact.along(disk_path(outline, smaller, one), 1e-5, one);
+    const auto found = contact.along(dexel_path(outline, radius, GetParam(), one), 1e-6);
+    const auto truth = contact.along(disk_path(outline, smaller, one), 1e-5);
     for (std::size_t i = 0; i < sides.size(); ++i) {
       EXPECT_TRUE(found[i] > 1e-6F || truth[i] <= 1e-5F) << "round " << round << ", side " << i;
     }
@@ -148,11 +148,11 @@ TEST_P(RandomOutlines, nothing_that_the_path_touches_is_out_of_reach_of_its_know
   for (int round = 0; round < 60; ++round) {
     const Sides sides = random_sides(random);
     const OutlineFeatures outline = outline_features(sides);
-    const ContactDepth contact(sides, 1.5);
+    const ContactDepth contact(sides, 1.5, one);
     const double apart = GetParam() * std::numbers::sqrt2;
     for (const double tolerance : {1e-3, 0.1}) {
-      const auto found = contact.along(dexel_path(outline, 1.5, GetParam(), one), tolerance, one, apart);
-      const auto truth = contact.along(disk_path(outline, 1.5, one), tolerance - 1e-6, one);
+      const auto found = contact.along(dexel_path(outline, 1.5, GetParam(), one), tolerance, apart);
+      const auto truth = contact.along(disk_path(outline, 1.5, one), tolerance - 1e-6);
       for (std::size_t i = 0; i < sides.size(); ++i)
         EXPECT_TRUE(std::isinf(truth[i]) || std::isfinite(found[i])) << "round " << round << ", side " << i;
     }
@@ -168,7 +168,7 @@ TEST(DexelPath, half_a_spacing_behind_a_straight_front_nothing_is_in_reach) {
   add_side(sides, {400, 0.5}, {410, 0.5});
   const Device one = Device::cpu(1);
   const DiskPath path = dexel_path(outline_features(sides), 150, 0.98, one);
-  const auto depth = ContactDepth(sides, 150).along(path, 0.1, one, 0.98 * std::numbers::sqrt2);
+  const auto depth = ContactDepth(sides, 150, one).along(path, 0.1, 0.98 * std::numbers::sqrt2);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(std::isfinite(depth[i])) << i;
   EXPECT_TRUE(std::isinf(depth[4]));
 }

@@ -30,7 +30,7 @@ void add_polygon(Sides& sides, const std::vector<Point2>& corners) {
 std::vector<bool> touched(const Sides& sides, double radius, int threads = 1) {
   const DiskPath path = disk_path(outline_features(sides), radius, Device::cpu(threads));
   std::vector<bool> out;
-  for (const float depth : ContactDepth(sides, radius).along(path, tolerance, Device::cpu(threads)))
+  for (const float depth : ContactDepth(sides, radius, Device::cpu(threads)).along(path, tolerance))
     out.push_back(depth <= tolerance);
   return out;
 }

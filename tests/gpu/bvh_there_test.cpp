@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/bumpy_ball.h"
+#include "gpu/simulated_memory.h"
 
 namespace gabarit {
 namespace {
@@ -47,6 +48,7 @@ void expect_equal_nodes(const BvhView& a, const BvhView& b, std::uint32_t i, std
 }
 
 void expect_equal_trees(const Bvh& one, const Bvh& other) {
+  const SimulatedAccess access;
   const BvhView a = one.view(), b = other.view();
   ASSERT_EQ(a.nodes.size, b.nodes.size);
   ASSERT_EQ(a.leaves.size, b.leaves.size);

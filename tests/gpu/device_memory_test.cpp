@@ -7,6 +7,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/device_error.h"
+#include "gpu/simulated_memory.h"
 
 namespace gabarit {
 namespace {
@@ -19,6 +20,14 @@ TEST(DeviceMemory, holds_what_was_written_apart_from_the_host) {
   std::array<int, 3> back{};
   memory.read(back.data(), sizeof back);
   EXPECT_THAT(back, testing::ElementsAre(1, 2, 3));
+}
+
+TEST(DeviceMemoryDeathTest, the_cpu_cannot_look_into_it_as_into_that_of_a_gpu) {
+  const DeviceMemory memory(Device::simulated(), sizeof(int));
+  const volatile int* const place = static_cast<const int*>(memory.data());
+  EXPECT_DEATH(static_cast<void>(*place), "");
+  const SimulatedAccess access;  // as kernels have
+  EXPECT_EQ(*place, 0);
 }
 
 TEST(DeviceMemory, more_than_the_limit_is_out_of_memory_and_what_is_freed_can_be_had_again) {

@@ -1,4 +1,4 @@
-#include "checks/segment_grid.h"
+#include "gpu/segment_grid.h"
 
 namespace gabarit {
 
@@ -10,14 +10,16 @@ void SegmentGrid::for_each_square(const Segment2& s, Use&& use) const {
   const Point2 a = ahead ? s.from : s.to;
   const Point2 b = ahead ? s.to : s.from;
   const double slope = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0;
-  const double slack = 1e-6 * size_;
-  const std::size_t last = column(b.x);
-  for (std::size_t x = column(a.x); x <= last; ++x) {
-    const double left = origin_.x + static_cast<double>(x) * size_;
+  const double size = squares_.size;
+  const double slack = 1e-6 * size;
+  const std::int64_t last = squares_.column(b.x);
+  for (std::int64_t x = squares_.column(a.x); x <= last; ++x) {
+    const double left = squares_.origin.x + static_cast<double>(x) * size;
     const double enter = a.x >= left ? a.y : a.y + (left - a.x) * slope;
-    const double leave = b.x <= left + size_ ? b.y : a.y + (left + size_ - a.x) * slope;
-    const std::size_t top = row(std::max(enter, leave) + slack);
-    for (std::size_t y = row(std::min(enter, leave) - slack); y <= top; ++y) use(y * columns_ + x);
+    const double leave = b.x <= left + size ? b.y : a.y + (left + size - a.x) * slope;
+    const std::int64_t top = squares_.row(std::max(enter, leave) + slack);
+    for (std::int64_t y = squares_.row(std::min(enter, leave) - slack); y <= top; ++y)
+      use(static_cast<std::size_t>(y * squares_.columns + x));
   }
 }
 
@@ -28,11 +30,11 @@ SegmentGrid::SegmentGrid(const std::vector<Segment2>& segments, double size) {
     box.add(s.to);
   }
   const Point2 extent = segments.empty() ? Point2{} : box.high - box.low;
-  origin_ = segments.empty() ? Point2{} : box.low;
-  size_ = std::max({size, extent.x / 2048, extent.y / 2048, 1e-9});
-  columns_ = static_cast<std::size_t>(extent.x / size_) + 1;
-  rows_ = static_cast<std::size_t>(extent.y / size_) + 1;
-  first_.assign(columns_ * rows_ + 1, 0);
+  squares_.origin = segments.empty() ? Point2{} : box.low;
+  squares_.size = std::max({size, extent.x / 2048, extent.y / 2048, 1e-9});
+  squares_.columns = static_cast<std::int64_t>(extent.x / squares_.size) + 1;
+  squares_.rows = static_cast<std::int64_t>(extent.y / squares_.size) + 1;
+  first_.assign(static_cast<std::size_t>(squares_.columns * squares_.rows) + 1, 0);
   for (const Segment2& s : segments) for_each_square(s, [&](std::size_t square) { ++first_[square + 1]; });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   numbers_.resize(first_.back());
