@@ -7,7 +7,7 @@ namespace {
 
 class FirstHit {
  public:
-  static constexpr bool cheap_to_visit = true;
+  using cheap_to_visit = void;
 
   GABARIT_HD FirstHit(const BvhView& tree, const Ray& ray) : tree_(tree), ray_(ray) {
     const Vec3d o = ray.point - tree.origin;

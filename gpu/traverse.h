@@ -39,7 +39,7 @@ GABARIT_HD inline void visit_leaf(const BvhView& tree, const BvhLeaf& leaf, Quer
   unsigned mask = no_greater<set>(lower, query.limit()) & ((1U << leaf.count) - 1);
   for (; mask != 0;) {
     int next = lowest_bit(mask);
-    if constexpr (!requires { Query::cheap_to_visit; }) {
+    if constexpr (!requires { typename Query::cheap_to_visit; }) {
       for (unsigned rest = mask & (mask - 1); rest != 0; rest &= rest - 1)
         if (one_of(lower, lowest_bit(rest)) < one_of(lower, next)) next = lowest_bit(rest);
     }
