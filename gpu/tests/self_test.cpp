@@ -143,6 +143,23 @@ void every_device_gives_the_same_bits(const FacetSurface& surface) {
   expect(same(ask(Device::simulated(2), surface), reference), "the simulated device");
 }
 
+// Each kind of work of the table below; a bare machine with a GPU has no other tests.
+void every_kind_of_work_gives_the_same_bits(const FacetSurface& surface) {
+  std::vector<Device> others{Device::cpu(2), Device::simulated(2)};
+  for (std::size_t i = 0; i < cuda_devices().size(); ++i) others.push_back(Device::cuda(static_cast<int>(i)));
+  for (const QueryTrial& trial : query_trials()) {
+    const auto bits_on = [&](const Device& device) {
+      const PreparedTrial prepared = trial.prepare(device, surface);
+      prepared.run();
+      return prepared.bits();
+    };
+    const std::vector<std::uint64_t> expected = bits_on({.threads = 1, .vectors = VectorSet::portable});
+    for (const Device& device : others)
+      expect(bits_on(device) == expected,
+             std::string(trial.name) + " on device of kind " + std::to_string(static_cast<int>(device.kind)));
+  }
+}
+
 // The median of so many runs after one that warms up, in milliseconds.
 double milliseconds(const PreparedTrial& trial, int runs) {
   trial.run();
@@ -195,6 +212,7 @@ void test_all(double facets, int runs) {
                                       bumpy_ball(12, 16, 0.5, 0.1, {9000, -4000, 250})}) {
     the_tree_finds_what_brute_force_finds(surface);
     every_device_gives_the_same_bits(surface);
+    every_kind_of_work_gives_the_same_bits(surface);
   }
   an_empty_surface_has_no_contacts();
   const int side = static_cast<int>(std::sqrt(facets / 2));
