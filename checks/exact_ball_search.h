@@ -113,9 +113,9 @@ class ExactBallSearch {
     const TangentBall ball = ball_through_triangle(d, a + back, b + back, c + back, reach_ + e);
     const double bound = ball.radius - e;
     if (!(bound < reach_)) return;
-    const Parameters from = ahead(origin, parameters_of(origin, ball.contact - back, a, b, c));
-    const Surface& surface = view_.brep.surfaces[view_.brep.faces[origin.face].surface];
-    if (surface.kind == SurfaceKind::sphere && !is_solved(origin.face)) solve_sphere(origin.face);
+    Parameters from = parameters_of(origin, ball.contact - back, a, b, c);
+    if (!get_ahead(origin, from)) return;
+    if (!is_solved(origin.face)) solve(origin.face);
     const bool crossed = is_solved(origin.face) || try_face(origin.face, from, bound);
     if (bound < reach_ && on_rim(p)) try_rim(origin.face, from, crossed ? bound : infinite);
   }
@@ -134,19 +134,25 @@ class ExactBallSearch {
     return facing >= least_facing_ || facing >= std::cos(angle_ + turn);
   }
 
-  // Spheres have one foot or two, all told at once.
+  // Planes have one foot, spheres one or two: all told at once.
   GABARIT_HD bool is_solved(FaceId face) const {
     for (int i = 0; i < solved_count_; ++i)
       if (solved_[i] == face) return true;
     return false;
   }
-  GABARIT_HD void solve_sphere(FaceId face) {
+  GABARIT_HD void solve(FaceId face) {
     Parameters feet[2];
-    const Face& f = view_.brep.faces[face];
-    const int count = feet_on_sphere(view_.brep.surfaces[f.surface], pencil_, feet);
-    // All of the sphere that the point lies on is equally near.
-    const double radius = view_.brep.surfaces[f.surface].radius;
-    if (count == 0 && !(reach_ <= radius * (1 + 1e-9))) return;
+    const Surface& surface = view_.brep.surfaces[view_.brep.faces[face].surface];
+    int count = 0;
+    if (surface.kind == SurfaceKind::plane) {
+      count = foot_on_plane(surface, pencil_, view_.size, feet[0]);
+    } else if (surface.kind == SurfaceKind::sphere) {
+      count = feet_on_sphere(surface, pencil_, feet);
+      // All of the sphere that the point lies on is equally near.
+      if (count == 0 && !(reach_ <= surface.radius * (1 + 1e-9))) return;
+    } else {
+      return;
+    }
     for (int i = 0; i < count; ++i) {
       const FaceFoot foot = FaceDescent(view_.brep, face, pencil_).at_closed_form(feet[i]);
       if (foot.found && counts(face, foot.surface)) keep_face(face, foot, BallContact::face);
@@ -154,16 +160,17 @@ class ExactBallSearch {
     if (solved_count_ < most_solved) solved_[solved_count_++] = face;
   }
 
-  // A place of the facet that a ball gets to, if there is one: `at`, else beside a corner.
-  GABARIT_HD Parameters ahead(const FacetOrigin& origin, Parameters at) const {
+  // A place of the facet that a ball gets to: `at`, else beside a corner; false where all of them lie behind
+  // the pencil's tangent plane.
+  GABARIT_HD bool get_ahead(const FacetOrigin& origin, Parameters& at) const {
     const Face& face = view_.brep.faces[origin.face];
     for (int k = 0; k < 4; ++k) {
       const Parameters p = k == 0 ? at
                                   : parameters_at(origin, k == 1 ? 0.998 : 0.001, k == 2 ? 0.998 : 0.001,
                                                   k == 3 ? 0.998 : 0.001);
-      if (ball_of(pencil_, face_point(view_.brep, face, p).p).ahead > 0) return p;
+      if (ball_of(pencil_, face_point(view_.brep, face, p).p).ahead > 0) return at = p, true;
     }
-    return at;
+    return false;
   }
 
   GABARIT_HD static double dot(const Vec3f& a, const Vec3d& b) {

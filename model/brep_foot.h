@@ -95,6 +95,18 @@ GABARIT_HD inline int feet_on_sphere(const Surface& s, const Pencil& pencil, Par
   return count;
 }
 
+// The only foot on a plane, if there is one: none on the pencil's own tangent plane, to 1e-12 of `size`.
+GABARIT_HD inline int foot_on_plane(const Surface& s, const Pencil& pencil, double size, Parameters& foot) {
+  Vec3d m = normalized(cross(s.axes.x, s.axes.y));
+  double height = dot(m, s.axes.origin - pencil.point);
+  if (height < 0) height = -height, m = -m;
+  const double spread = 1 + dot(m, pencil.direction);
+  if (!(height > 1e-12 * size) || !(spread > 1e-12)) return 0;
+  const Vec3d p = pencil.point + height / spread * (pencil.direction + m) - s.axes.origin;
+  foot = {dot(p, s.axes.x), dot(p, s.axes.y)};
+  return 1;
+}
+
 // Newton's method on one face from one place.
 class FaceDescent {
  public:
