@@ -15,7 +15,7 @@ struct CurveFoot {
 };
 
 // Newton's method between two ends, kept there by halving: the sign of the slope is known also where no ball
-// gets. The piece is so short that there is one minimum on it.
+// gets, behind the pencil's tangent plane. The piece is so short that there is one minimum on it.
 class CurveDescent {
  public:
   GABARIT_HD CurveDescent(const BrepView& brep, const Curve& curve, const Pencil& pencil)
@@ -43,9 +43,10 @@ class CurveDescent {
     return foot;
   }
 
-  // Of the same sign as that of the radius; of the inverse's where it is infinite.
+  // Of the same sign as that of the radius; behind the tangent plane it falls towards the plane.
   GABARIT_HD double slope(const CurveFoot& foot) const {
     const Vec3d q = foot.curve.p - pencil_.point;
+    if (!(dot(pencil_.direction, q) > 0)) return -dot(pencil_.direction, foot.curve.d);
     return 2 * dot(pencil_.direction, q) * dot(q, foot.curve.d) -
            squared_length(q) * dot(pencil_.direction, foot.curve.d);
   }
