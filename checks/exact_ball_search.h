@@ -106,10 +106,10 @@ class ExactBallSearch {
     const FacetOrigin& origin = view_.facets[p.id];
     if (!can_count(p) || (is_solved(origin.face) && !on_rim(p))) return;
     // Contacts within e of a facet are those of a ball that is larger by e and starts e further back.
-    const double e = static_cast<double>(p.sag) + 1e-12 * view_.size;
+    const double e = static_cast<double>(view_.facet_sags[p.id]) + 1e-12 * view_.size;
     const Vec3d back = e * d;
-    const Vec3d a = view_.tree.corner(p, 0) - pencil_.point, b = view_.tree.corner(p, 1) - pencil_.point,
-                c = view_.tree.corner(p, 2) - pencil_.point;
+    const Vec3d a = corner(p.id, 0) - pencil_.point, b = corner(p.id, 1) - pencil_.point,
+                c = corner(p.id, 2) - pencil_.point;
     const TangentBall ball = ball_through_triangle(d, a + back, b + back, c + back, reach_ + e);
     const double bound = ball.radius - e;
     if (!(bound < reach_)) return;
@@ -120,14 +120,18 @@ class ExactBallSearch {
     if (bound < reach_ && on_rim(p)) try_rim(origin.face, from, crossed ? bound : infinite);
   }
 
+  GABARIT_HD const Vec3d& corner(std::uint32_t facet, std::size_t i) const {
+    return view_.vertices[view_.facet_corners[facet][i]];
+  }
+
   // Whether the normal of the surface counts anywhere under the facet.
   GABARIT_HD bool can_count(const Primitive& p) const {
     const double turn = static_cast<double>(view_.facet_turns[p.id]) + 1e-6;
     if (angle_ + turn >= pi) return true;
     double facing = dot(p.normal, pencil_.direction);
     if (!p.is_facet()) {
-      const Vec3d a = view_.tree.corner(p, 0);
-      const Vec3d n = normalized(cross(view_.tree.corner(p, 1) - a, view_.tree.corner(p, 2) - a));
+      const Vec3d a = corner(p.id, 0);
+      const Vec3d n = normalized(cross(corner(p.id, 1) - a, corner(p.id, 2) - a));
       if (n == Vec3d{}) return true;
       facing = dot(n, axis_);
     }

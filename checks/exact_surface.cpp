@@ -58,6 +58,22 @@ FacetErrors facet_errors(const Model& model, const EdgePieces& pieces, const Dev
   return errors;
 }
 
+// The tree takes what has no normal for an edge between the first two corners: that is the longest side, and
+// the third corner lies within the sag.
+Primitive without_normal(const TriangleMesh& mesh, FacetId f, float sag) {
+  const std::array<Vec3d, 3> c = mesh.corners(f);
+  std::size_t longest = 0;
+  const auto side = [&](std::size_t i) { return length(c[(i + 1) % 3] - c[i]); };
+  for (const std::size_t i : {1, 2})
+    if (side(i) > side(longest)) longest = i;
+  const double height = 2 * facet_area(mesh, f) / side(longest);
+  const auto& v = mesh.facets[f];
+  return {{v[longest], v[(longest + 1) % 3], v[(longest + 2) % 3]},
+          f,
+          {},
+          static_cast<float>((static_cast<double>(sag) + height) * (1 + 1e-6))};
+}
+
 }  // namespace
 
 ExactSurface exact_surface(const Model& model, Side side, const Device& device) {
@@ -75,7 +91,8 @@ ExactSurface exact_surface(const Model& model, Side side, const Device& device) 
     const bool sure = turn <= widest_error;
     if (sure) error = std::max(error, turn);
     const Vec3d seen = side == Side::inside ? normal : -normal;
-    surface.primitives.push_back({mesh.facets[f], f, sure ? to_float(seen) : Vec3f{}, errors.sag[f]});
+    surface.primitives.push_back(sure ? Primitive{mesh.facets[f], f, to_float(seen), errors.sag[f]}
+                                      : without_normal(mesh, f, errors.sag[f]));
   }
   auto id = static_cast<std::uint32_t>(mesh.facet_count());
   for (std::uint32_t i = 0; i < pieces.pieces.size(); ++i, ++id)
@@ -92,6 +109,7 @@ ExactSurface exact_surface(const Model& model, Side side, const Device& device) 
           std::move(pieces.pieces),
           std::move(corners.corners),
           std::move(corners.directions),
+          std::move(errors.sag),
           std::move(errors.turn),
           error,
           length(bounding_box(mesh).extent()),
@@ -103,6 +121,9 @@ ExactView ExactSurface::view() const {
   return {gabarit::view(*model->brep),
           tree.view(),
           elements(model->brep->facets),
+          elements(model->mesh.facets),
+          elements(model->mesh.vertices),
+          elements(facet_sags),
           elements(facet_turns),
           elements(pieces),
           elements(corners),
@@ -114,7 +135,7 @@ ExactView ExactSurface::view() const {
 
 std::size_t ExactSurface::bytes() const {
   return tree.bytes() + pieces.size() * sizeof(EdgePiece) + corners.size() * sizeof(EdgeCorner) +
-         directions.size() * sizeof(Vec3d) + facet_turns.size() * sizeof(float);
+         directions.size() * sizeof(Vec3d) + (facet_sags.size() + facet_turns.size()) * sizeof(float);
 }
 
 }  // namespace gabarit

@@ -41,6 +41,9 @@ struct ExactView {
   BvhView tree;  // a primitive's id below facets.size is a facet; of a piece corner[2] is its number, of a
                  // corner too, counted on
   View<const FacetOrigin> facets;
+  View<const std::array<VertexId, 3>> facet_corners;
+  View<const Vec3d> vertices;
+  View<const float> facet_sags;   // mm: how far the surface lies from a facet
   View<const float> facet_turns;  // radians: how far the surface's normals turn away from a facet's
   View<const EdgePiece> pieces;
   View<const EdgeCorner> corners;
@@ -55,7 +58,7 @@ struct ExactSurface {
   std::vector<EdgePiece> pieces;
   std::vector<EdgeCorner> corners;
   std::vector<Vec3d> directions;
-  std::vector<float> facet_turns;
+  std::vector<float> facet_sags, facet_turns;
   double normal_error = 0;  // radians: how far a facet's normal in the tree may be off the surface's
   double size = 0;
   Side side = Side::inside;
