@@ -3,10 +3,10 @@
 // distance from the surface tell, is looked at on the surface itself.
 #pragma once
 
+#include "checks/edge_contact.h"
 #include "checks/exact_ball.h"
 #include "gpu/sphere_culling.h"
 #include "gpu/tangent_ball.h"
-#include "model/brep_foot_edge.h"
 #include "model/brep_foot_rim.h"
 
 namespace gabarit {
@@ -296,101 +296,20 @@ class ExactBallSearch {
   }
 
   GABARIT_HD void try_piece(std::uint32_t number, double from) {
-    const EdgePiece& piece = view_.pieces[number];
-    const Curve curve = curve_of(piece);
-    const bool drawn = piece.edge != no_number;
-    const double first = drawn ? piece.first : 0.0, last = drawn ? piece.last : 1.0;
-    const CurveDescent descent(view_.brep, curve, pencil_);
-    const CurveFoot foot = descent.run(first, last, drawn ? from : 0.5);
+    const EdgeContact contact(view_, pencil_, least_facing_, number);
+    const CurveFoot foot = contact.nearest(from);
     best_.steps += foot.iterations;
     if (!(foot.radius < reach_)) return;
-    Vec3d normal[2];
-    bool any = false;
-    for (int k = 0; k < 2; ++k) {
-      const EdgePiece::Beside& side = piece.beside[static_cast<std::size_t>(k)];
-      if (side.face == no_number) continue;
-      normal[k] = normal_beside(side, foot.curve.p, (foot.t - first) / (last - first));
-      if (dot(normal[k], axis_) >= least_facing_ - facing_slack) any = true;
-    }
-    if (any || (foot.inside && reflex(piece, foot, normal, last > first)))
-      return keep_piece(number, piece, foot);
-    for (int k = 0; k < 2; ++k) try_side(number, piece, curve, foot, k, first, last);
-  }
-
-  GABARIT_HD Curve curve_of(const EdgePiece& piece) const {
-    if (piece.edge != no_number) return view_.brep.curves[view_.brep.edges[piece.edge].curve];
-    Curve line;
-    line.axes.origin = piece.a;
-    line.axes.x = piece.b - piece.a;
-    return line;
-  }
-
-  // The outward normal of the face at a point of its edge.
-  GABARIT_HD Vec3d normal_beside(const EdgePiece::Beside& side, const Vec3d& p, double share) const {
-    const Face& face = view_.brep.faces[side.face];
-    if (view_.brep.surfaces[face.surface].kind == SurfaceKind::plane) return side.mean;
-    Parameters at{side.at[0].u + share * (side.at[1].u - side.at[0].u),
-                  side.at[0].v + share * (side.at[1].v - side.at[0].v)};
-    SurfacePoint s = face_point(view_.brep, face, at);
-    for (int i = 0; i < 4; ++i) {
-      const Form2 metric = first_form(s);
-      if (!(metric.determinant() > 1e-14 * metric.uu * metric.vv)) break;
-      const Vec3d off = p - s.p;
-      const Parameters go = metric.solve(dot(off, s.du), dot(off, s.dv));
-      at.u += go.u, at.v += go.v;
-      s = face_point(view_.brep, face, at);
-      if (metric.value(go.u, go.v) < 1e-18) break;
-    }
-    const Vec3d n = outward_normal_at(view_.brep, face, s);
-    return n == Vec3d{} ? side.mean : n;
-  }
-
-  // Whether the edge is hollow as the ball sees it and both faces leave the ball.
-  GABARIT_HD bool reflex(const EdgePiece& piece, const CurveFoot& foot, const Vec3d (&n)[2],
-                         bool forward) const {
-    const Vec3d w = ball_of(pencil_, foot.curve.p).arm / foot.radius;
-    if (dot(w, pencil_.direction) < least_facing_ - facing_slack) return false;
-    const Vec3d along = normalized(foot.curve.d * (forward ? 1.0 : -1.0));
-    if (piece.beside[1].face == no_number) return dot(cross(n[0], along), w) >= -1e-6;
-    const bool hollow = view_.side * dot(cross(n[0], n[1]), along) < -1e-9;
-    return hollow && dot(cross(n[0], along), w) >= -1e-6 && dot(cross(along, n[1]), w) >= -1e-6;
-  }
-
-  // The nearest place of the piece where the face on one side of it counts.
-  GABARIT_HD void try_side(std::uint32_t number, const EdgePiece& piece, const Curve& curve,
-                           const CurveFoot& foot, int k, double first, double last) {
-    const EdgePiece::Beside& side = piece.beside[static_cast<std::size_t>(k)];
-    if (side.face == no_number || !can_face(side)) return;
-    for (const double end : {first, last}) {
-      if (end == foot.t || !faces(side, curve, end, first, last)) continue;
-      double no = foot.t, yes = end;
-      for (int i = 0; i < 50 && no != yes; ++i) {
-        const double middle = no + (yes - no) / 2;
-        if (middle == no || middle == yes) break;
-        (faces(side, curve, middle, first, last) ? yes : no) = middle;
-      }
-      CurveFoot at = foot;
-      at.t = yes;
-      at.curve = curve_point(view_.brep, curve, yes);
-      at.radius = ball_of(pencil_, at.curve.p).radius;
-      at.residual = 0;
-      if (at.radius < reach_) keep_piece(number, piece, at);
+    if (contact.counts(foot)) return keep_piece(number, foot);
+    // Where a face counts only beside a part of the piece, the end of that part is nearest.
+    for (std::size_t k = 0; k < 4; ++k) {
+      CurveFoot end = foot;
+      if (contact.end_of_side(k / 2, k % 2 == 0, end) && end.radius < reach_) keep_piece(number, end);
     }
   }
 
-  GABARIT_HD bool can_face(const EdgePiece::Beside& side) const {
-    const double cosine = dot(side.mean, axis_);
-    const double angle = std::acos(cosine > 1 ? 1.0 : cosine < -1 ? -1.0 : cosine);
-    return angle <= side.spread || std::cos(angle - side.spread) >= least_facing_ - facing_slack;
-  }
-
-  GABARIT_HD bool faces(const EdgePiece::Beside& side, const Curve& curve, double t, double first,
-                        double last) const {
-    const Vec3d p = curve_point(view_.brep, curve, t).p;
-    return dot(normal_beside(side, p, (t - first) / (last - first)), axis_) >= least_facing_;
-  }
-
-  GABARIT_HD void keep_piece(std::uint32_t number, const EdgePiece& piece, const CurveFoot& foot) {
+  GABARIT_HD void keep_piece(std::uint32_t number, const CurveFoot& foot) {
+    const EdgePiece& piece = view_.pieces[number];
     if (!far_enough(foot.curve.p, foot.radius)) return;
     ExactBall contact;
     contact.radius = foot.radius;

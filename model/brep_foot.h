@@ -137,7 +137,7 @@ class FaceDescent {
 
  private:
   static constexpr int most_iterations = 40;
-  static constexpr double least_share = 1e-12;  // of a step
+  static constexpr int most_halvings = 40;
 
   GABARIT_HD void move_to(FaceFoot& foot, Parameters at) {
     foot.at = at;
@@ -249,7 +249,8 @@ class FaceDescent {
   GABARIT_HD bool search(FaceFoot& foot, Parameters go, double slope, bool at_end) {
     const FaceFoot before = foot;
     const PencilBall ball = ball_;
-    for (double share = 1; share > least_share; share /= 2) {
+    double share = 1;
+    for (int i = 0; i < most_halvings; ++i, share /= 2) {
       const Parameters to = clamped({before.at.u + share * go.u, before.at.v + share * go.v});
       if (to.u == before.at.u && to.v == before.at.v) break;
       move_to(foot, to);
