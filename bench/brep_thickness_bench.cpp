@@ -16,7 +16,8 @@
 
 #include "checks/exact_probe.h"
 #include "gpu/maximal_sphere.h"
-#include "model/brep_tangent_ball.h"
+#include "gpu/tangent_ball.h"
+#include "model/brep_foot.h"
 #include "model/load.h"
 #include "tests/dense_boundary.h"
 #include "tests/step_shapes.h"
@@ -77,7 +78,7 @@ std::pair<std::size_t, std::size_t> beaten(const Model& model, const std::vector
     const Vec3d d = -outward_normal(s, face.sign);
     count += std::any_of(boundary.begin(), boundary.end(), [&](const BoundaryPoint& b) {
       return dot(b.normal, d) >= -std::cos(separation) && length(b.p - s.p) > floor &&
-             2 * ball_radius(b.p - s.p, d) < walls[i].value * (1 - 1e-4);
+             2 * ball_through_point(d, b.p - s.p).radius < walls[i].value * (1 - 1e-4);
     });
   }
   return {count, looked_at};
@@ -110,7 +111,8 @@ void report(const std::string& name, const Model& model) {
                1e6 * time / static_cast<double>(places.size()), static_cast<double>(places.size()) / time);
   }
   std::array<std::size_t, 6> kinds{};
-  std::size_t measured = 0, unverified = 0, steps = 0, starts = 0;
+  std::size_t measured = 0, unverified = 0;
+  double steps = 0, starts = 0;
   std::vector<double> on_faces, on_edges;
   for (const ExactWall& w : found) {
     if (!w.measured) continue;
@@ -125,19 +127,20 @@ void report(const std::string& name, const Model& model) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
     fmt::print(" {} {:.2f} %,", gabarit::name(static_cast<BallContact>(k)),
                100 * static_cast<double>(kinds[k]) / n);
-  fmt::print(" {:.1f} starts and {:.1f} steps a query, {:.3f} % not verified\n",
-             static_cast<double>(starts) / n, static_cast<double>(steps) / n,
+  fmt::print(" {:.1f} starts and {:.1f} steps a query, {:.3f} % not verified\n", starts / n, steps / n,
              100 * static_cast<double>(unverified) / n);
   fmt::print("  residual, mm: faces median {:.1e}, 99 % {:.1e}; edges median {:.1e}, 99 % {:.1e}\n",
              quantile(on_faces, 0.5), quantile(on_faces, 0.99), quantile(on_edges, 0.5),
              quantile(on_edges, 0.99));
+  const ExactSurface& exact = scene.exact_surface(Side::inside);
   const auto [lost, looked_at] = beaten(model, places, found, 1e-6 * surface.size, 50);
   fmt::print("  beaten by a point of the boundary by more than 1e-4: {} of {}\n", lost, looked_at);
   fmt::print(
-      "  memory, kB: tree of the facets {:.0f}, chords of the edges {:.0f}, surfaces and curves {:.0f}, "
+      "  memory, kB: tree of facets and edges {:.0f}, pieces of the edges {:.0f}, surfaces and curves "
+      "{:.0f}, "
       "trimming {:.0f}\n",
-      static_cast<double>(surface.tree.bytes()) / 1024,
-      static_cast<double>(scene.edges().tree.bytes()) / 1024 + kilobytes(scene.edges().chords),
+      static_cast<double>(exact.tree.bytes()) / 1024,
+      kilobytes(exact.pieces) + kilobytes(exact.corners) + kilobytes(exact.directions),
       kilobytes(brep.surfaces) + kilobytes(brep.curves) + kilobytes(brep.poles) + kilobytes(brep.knots),
       kilobytes(brep.trims) + kilobytes(brep.trim_pieces) + kilobytes(brep.trim_bins) +
           kilobytes(brep.trim_listing));

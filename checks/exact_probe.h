@@ -45,7 +45,7 @@ class ExactWalls {
 
  private:
   const Scene* scene_;
-  ExactBallScene balls_;
+  const ExactSurface* exact_;
   ExactWallOptions options_;
   ExactBallOptions ball_options_;
 };
