@@ -7,6 +7,7 @@
 #include "checks/exact_ball.h"
 #include "gpu/sphere_culling.h"
 #include "gpu/tangent_ball.h"
+#include "model/brep_foot_closed.h"
 #include "model/brep_foot_rim.h"
 
 namespace gabarit {
@@ -44,6 +45,8 @@ class ExactBallSearch {
 
   // Starts from what was nearest to a neighbouring point.
   GABARIT_HD void begin_at(const ExactBall& contact) {
+    const bool on_face = contact.kind == BallContact::face || contact.kind == BallContact::separation;
+    if (on_face && solve(contact.face)) return;
     if (contact.kind == BallContact::face)
       try_face(contact.face, contact.at, infinite);
     else if (contact.kind == BallContact::separation)
@@ -104,7 +107,7 @@ class ExactBallSearch {
     const Vec3d& d = pencil_.direction;
     if (p.is_facet() && dot(p.normal, d) < loose_facing_) return;
     const FacetOrigin& origin = view_.facets[p.id];
-    if (!can_count(p) || (is_solved(origin.face) && !on_rim(p))) return;
+    if (is_solved(origin.face) || !can_count(p)) return;
     // Contacts within e of a facet are those of a ball that is larger by e and starts e further back.
     const double e = static_cast<double>(view_.facet_sags[p.id]) + 1e-12 * view_.size;
     const Vec3d back = e * d;
@@ -112,11 +115,10 @@ class ExactBallSearch {
                 c = corner(p.id, 2) - pencil_.point;
     const TangentBall ball = ball_through_triangle(d, a + back, b + back, c + back, reach_ + e);
     const double bound = ball.radius - e;
-    if (!(bound < reach_)) return;
+    if (!(bound < reach_) || solve(origin.face)) return;
     Parameters from = parameters_of(origin, ball.contact - back, a, b, c);
     if (!get_ahead(origin, from)) return;
-    if (!is_solved(origin.face)) solve(origin.face);
-    const bool crossed = is_solved(origin.face) || try_face(origin.face, from, bound);
+    const bool crossed = try_face(origin.face, from, bound);
     if (bound < reach_ && on_rim(p)) try_rim(origin.face, from, crossed ? bound : infinite);
   }
 
@@ -138,30 +140,37 @@ class ExactBallSearch {
     return facing >= least_facing_ || facing >= std::cos(angle_ + turn);
   }
 
-  // Planes have one foot, spheres one or two: all told at once.
   GABARIT_HD bool is_solved(FaceId face) const {
-    for (int i = 0; i < solved_count_; ++i)
+    for (int i = solved_count_ - 1; i >= 0; --i)
       if (solved_[i] == face) return true;
     return false;
   }
-  GABARIT_HD void solve(FaceId face) {
-    Parameters feet[2];
-    const Surface& surface = view_.brep.surfaces[view_.brep.faces[face].surface];
-    int count = 0;
-    if (surface.kind == SurfaceKind::plane) {
-      count = foot_on_plane(surface, pencil_, view_.size, feet[0]);
-    } else if (surface.kind == SurfaceKind::sphere) {
-      count = feet_on_sphere(surface, pencil_, feet);
-      // All of the sphere that the point lies on is equally near.
-      if (count == 0 && !(reach_ <= surface.radius * (1 + 1e-9))) return;
-    } else {
-      return;
-    }
-    for (int i = 0; i < count; ++i) {
-      const FaceFoot foot = FaceDescent(view_.brep, face, pencil_).at_closed_form(feet[i]);
-      if (foot.found && counts(face, foot.surface)) keep_face(face, foot, BallContact::face);
-    }
-    if (solved_count_ < most_solved) solved_[solved_count_++] = face;
+
+  // All feet, the rim and the tip of a face of a simple kind at once; false for other kinds.
+  GABARIT_HD bool solve(FaceId id) {
+    const Face& face = view_.brep.faces[id];
+    const Surface& surface = view_.brep.surfaces[face.surface];
+    if (!has_closed_feet(surface.kind) || !std::isfinite(face.range.v1 - face.range.v0)) return false;
+    const ClosedFootSearch search(surface, pencil_, view_.size);
+    ClosedFeet feet, rim;
+    search.add_feet(feet);
+    search.add_rim(face, axis_, least_facing_, rim);
+    for (int i = 0; i < feet.count; ++i) keep_counting(id, feet.at[i], BallContact::face);
+    for (int i = 0; i < rim.count; ++i) keep_counting(id, rim.at[i], BallContact::separation);
+    if (surface.kind == SurfaceKind::cone) try_apex(id);
+    if (solved_count_ < most_solved) solved_[solved_count_++] = id;
+    return true;
+  }
+  GABARIT_HD void keep_counting(FaceId face, Parameters at, BallContact kind) {
+    const FaceFoot foot = known_foot(view_.brep, view_.brep.faces[face], pencil_, at);
+    if (foot.radius < reach_ && counts(face, foot.surface)) keep_face(face, foot, kind);
+  }
+  GABARIT_HD void try_apex(FaceId id) {
+    const Face& face = view_.brep.faces[id];
+    const Surface& cone = view_.brep.surfaces[face.surface];
+    const double apex = apex_of(cone), near = 1e-6 * (face.range.v1 - face.range.v0);
+    if (!(apex > face.range.v0 - near && apex < face.range.v1 + near)) return;
+    keep_pole(id, known_foot(view_.brep, face, pencil_, {AxialVector(cone.axes, axis_).azimuth(), apex}));
   }
 
   // A place of the facet that a ball gets to: `at`, else beside a corner; false where all of them lie behind
@@ -228,8 +237,6 @@ class ExactBallSearch {
 
   // Whether the rim may cross the facet.
   GABARIT_HD bool on_rim(const Primitive& p) const {
-    const FaceId face = view_.facets[p.id].face;
-    if (view_.brep.surfaces[view_.brep.faces[face].surface].kind == SurfaceKind::plane) return false;
     if (!p.is_facet()) return true;
     const double turn = static_cast<double>(view_.facet_turns[p.id]) + 1e-6;
     return angle_ > turn && dot(p.normal, pencil_.direction) < std::cos(angle_ - turn);
@@ -251,13 +258,11 @@ class ExactBallSearch {
     const bool in_u = squared_length(foot.surface.du) * (r.u1 - r.u0) * (r.u1 - r.u0) <
                       squared_length(foot.surface.dv) * (r.v1 - r.v0) * (r.v1 - r.v0);
     constexpr int places = 64;
-    for (int i = 0; i <= places; ++i) {
+    for (int i = -1; i <= places; ++i) {
       const double share = static_cast<double>(i) / places;
       Parameters at = foot.at;
-      if (in_u)
-        at = {r.u0 + share * (r.u1 - r.u0), at.v + 1e-4 * ((r.v0 + r.v1) / 2 - at.v)};
-      else
-        at = {at.u + 1e-4 * ((r.u0 + r.u1) / 2 - at.u), r.v0 + share * (r.v1 - r.v0)};
+      (in_u ? at.v : at.u) += 1e-4 * (in_u ? (r.v0 + r.v1) / 2 - at.v : (r.u0 + r.u1) / 2 - at.u);
+      if (i >= 0) (in_u ? at.u : at.v) = in_u ? r.u0 + share * (r.u1 - r.u0) : r.v0 + share * (r.v1 - r.v0);
       const Vec3d n = outward_normal_at(view_.brep, f, face_point(view_.brep, f, at));
       if (dot(n, axis_) < least_facing_ - facing_slack ||
           trim_side(view_.brep, face, at) == TrimSide::outside)

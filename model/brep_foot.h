@@ -76,35 +76,18 @@ GABARIT_HD inline Parameters between_poles(Parameters at) {
   return at;
 }
 
-// The parameters of all feet on a sphere: none, one or two. Its distance from the centre of the ball is the
-// sum or the difference of the radii, which is linear in the ball's.
-GABARIT_HD inline int feet_on_sphere(const Surface& s, const Pencil& pencil, Parameters (&feet)[2]) {
-  const Vec3d c = pencil.point - s.axes.origin;
-  const double outside = s.radius * s.radius - squared_length(c);
-  int count = 0;
-  for (const double way : {-1.0, 1.0}) {
-    const double slope = 2 * (dot(c, pencil.direction) - way * s.radius);
-    const double t = outside / slope;
-    // A point of the sphere itself is its own foot, or all of the sphere is.
-    if (!(t > 1e-9 * s.radius) || !(std::fabs(slope) > 1e-9 * s.radius)) continue;
-    const Vec3d m = c + t * pencil.direction;
-    const Vec3d foot = normalized(m) * (s.radius + way * t > 0 ? s.radius : -s.radius);
-    const double x = dot(foot, s.axes.x), y = dot(foot, s.axes.y), z = dot(foot, s.axes.z);
-    feet[count++] = {std::atan2(y, x), std::atan2(z, std::sqrt(x * x + y * y))};
-  }
-  return count;
-}
-
-// The only foot on a plane, if there is one: none on the pencil's own tangent plane, to 1e-12 of `size`.
-GABARIT_HD inline int foot_on_plane(const Surface& s, const Pencil& pencil, double size, Parameters& foot) {
-  Vec3d m = normalized(cross(s.axes.x, s.axes.y));
-  double height = dot(m, s.axes.origin - pencil.point);
-  if (height < 0) height = -height, m = -m;
-  const double spread = 1 + dot(m, pencil.direction);
-  if (!(height > 1e-12 * size) || !(spread > 1e-12)) return 0;
-  const Vec3d p = pencil.point + height / spread * (pencil.direction + m) - s.axes.origin;
-  foot = {dot(p, s.axes.x), dot(p, s.axes.y)};
-  return 1;
+// A foot that is known.
+GABARIT_HD inline FaceFoot known_foot(const BrepView& brep, const Face& face, const Pencil& pencil,
+                                      Parameters at) {
+  FaceFoot foot;
+  foot.at = at;
+  foot.surface = face_point(brep, face, at);
+  const PencilBall ball = ball_of(pencil, foot.surface.p);
+  foot.radius = ball.radius;
+  foot.found = ball.ahead > 0;
+  const Vec3d n = outward_normal_at(brep, face, foot.surface);
+  foot.residual = length(ball.arm - n * dot(n, ball.arm));
+  return foot;
 }
 
 // Newton's method on one face from one place.
@@ -122,16 +105,6 @@ class FaceDescent {
     FaceFoot foot;
     move_to(foot, clamped(from));
     while (foot.iterations < most_iterations && step(foot)) ++foot.iterations;
-    return foot;
-  }
-
-  // A foot that is known.
-  GABARIT_HD FaceFoot at_closed_form(Parameters at) {
-    FaceFoot foot;
-    move_to(foot, at);
-    foot.found = ball_.ahead > 0;
-    const Vec3d n = outward_normal_at(brep_, face_, foot.surface);
-    foot.residual = length(ball_.arm - n * dot(n, ball_.arm));
     return foot;
   }
 
