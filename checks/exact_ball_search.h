@@ -46,8 +46,9 @@ class ExactBallSearch {
   // Starts from what was nearest to a neighbouring point.
   GABARIT_HD void begin_at(const ExactBall& contact) {
     const bool on_face = contact.kind == BallContact::face || contact.kind == BallContact::separation;
-    if (on_face && solve(contact.face)) return;
-    if (contact.kind == BallContact::face)
+    const Known known = on_face ? solve(contact.face) : Known::all;
+    if (on_face && known == Known::all) return;
+    if (contact.kind == BallContact::face && known == Known::nothing)
       try_face(contact.face, contact.at, infinite);
     else if (contact.kind == BallContact::separation)
       try_rim(contact.face, contact.at, infinite);
@@ -107,7 +108,8 @@ class ExactBallSearch {
     const Vec3d& d = pencil_.direction;
     if (p.is_facet() && dot(p.normal, d) < loose_facing_) return;
     const FacetOrigin& origin = view_.facets[p.id];
-    if (is_solved(origin.face) || !can_count(p)) return;
+    Known known = known_of(origin.face);
+    if (known == Known::all || !can_count(p)) return;
     // Contacts within e of a facet are those of a ball that is larger by e and starts e further back.
     const double e = static_cast<double>(view_.facet_sags[p.id]) + 1e-12 * view_.size;
     const Vec3d back = e * d;
@@ -115,10 +117,12 @@ class ExactBallSearch {
                 c = corner(p.id, 2) - pencil_.point;
     const TangentBall ball = ball_through_triangle(d, a + back, b + back, c + back, reach_ + e);
     const double bound = ball.radius - e;
-    if (!(bound < reach_) || solve(origin.face)) return;
+    if (!(bound < reach_)) return;
+    if (known == Known::nothing) known = solve(origin.face);
+    if (known == Known::all || (known == Known::feet && !on_rim(p))) return;
     Parameters from = parameters_of(origin, ball.contact - back, a, b, c);
     if (!get_ahead(origin, from)) return;
-    const bool crossed = try_face(origin.face, from, bound);
+    const bool crossed = known == Known::nothing && try_face(origin.face, from, bound);
     if (bound < reach_ && on_rim(p)) try_rim(origin.face, from, crossed ? bound : infinite);
   }
 
@@ -140,17 +144,27 @@ class ExactBallSearch {
     return facing >= least_facing_ || facing >= std::cos(angle_ + turn);
   }
 
-  GABARIT_HD bool is_solved(FaceId face) const {
+  // What there is no more to find on a face.
+  enum class Known { nothing, feet, all };
+  GABARIT_HD Known known_of(FaceId face) const {
     for (int i = solved_count_ - 1; i >= 0; --i)
-      if (solved_[i] == face) return true;
-    return false;
+      if (solved_[i] == face) return closed_part(face);
+    return Known::nothing;
+  }
+  GABARIT_HD Known closed_part(FaceId id) const {
+    const Face& face = view_.brep.faces[id];
+    const SurfaceKind kind = view_.brep.surfaces[face.surface].kind;
+    if (!has_closed_feet(kind) || !std::isfinite(face.range.v1 - face.range.v0)) return Known::nothing;
+    return has_closed_rim(kind) ? Known::all : Known::feet;
   }
 
-  // All feet, the rim and the tip of a face of a simple kind at once; false for other kinds.
-  GABARIT_HD bool solve(FaceId id) {
+  // All feet, the rim and the tip of a face of a simple kind at once.
+  GABARIT_HD Known solve(FaceId id) {
+    const Known known = closed_part(id);
+    if (known == Known::nothing) return known;
+    ++best_.starts;
     const Face& face = view_.brep.faces[id];
     const Surface& surface = view_.brep.surfaces[face.surface];
-    if (!has_closed_feet(surface.kind) || !std::isfinite(face.range.v1 - face.range.v0)) return false;
     const ClosedFootSearch search(surface, pencil_, view_.size);
     ClosedFeet feet, rim;
     search.add_feet(feet);
@@ -159,7 +173,7 @@ class ExactBallSearch {
     for (int i = 0; i < rim.count; ++i) keep_counting(id, rim.at[i], BallContact::separation);
     if (surface.kind == SurfaceKind::cone) try_apex(id);
     if (solved_count_ < most_solved) solved_[solved_count_++] = id;
-    return true;
+    return known;
   }
   GABARIT_HD void keep_counting(FaceId face, Parameters at, BallContact kind) {
     const FaceFoot foot = known_foot(view_.brep, view_.brep.faces[face], pencil_, at);

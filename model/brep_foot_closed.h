@@ -1,7 +1,7 @@
-// Where the balls of a pencil touch planes, spheres, cylinders and cones, and the smallest of them on the line
-// along which the normal of such a surface turns away by just so much: in closed form. The distance of the
-// ball's centre from each of these is known without a foot; that it is the radius is an equation of first or
-// second degree.
+// Where the balls of a pencil touch planes, spheres, cylinders, cones and tori, and the smallest of them on the
+// line along which the normal of such a surface turns away by just so much (not of tori): in closed form. The
+// distance of the ball's centre from each of these is known without a foot; that it is the radius is an
+// equation of first or second degree.
 #pragma once
 
 #include "gpu/tangent_ball.h"
@@ -20,9 +20,12 @@ struct ClosedFeet {
   }
 };
 
-GABARIT_HD inline bool has_closed_feet(SurfaceKind kind) {
+GABARIT_HD inline bool has_closed_rim(SurfaceKind kind) {
   return kind == SurfaceKind::plane || kind == SurfaceKind::sphere || kind == SurfaceKind::cylinder ||
          kind == SurfaceKind::cone;
+}
+GABARIT_HD inline bool has_closed_feet(SurfaceKind kind) {
+  return has_closed_rim(kind) || kind == SurfaceKind::torus;
 }
 
 // The parameter of a cone's apex.
@@ -59,6 +62,7 @@ class ClosedFootSearch {
       case SurfaceKind::plane: return on_plane(feet);
       case SurfaceKind::sphere: return on_sphere(feet);
       case SurfaceKind::cylinder: return on_cylinder(feet);
+      case SurfaceKind::torus: return on_torus(feet);
       default: return on_cone(feet);
     }
   }
@@ -70,6 +74,7 @@ class ClosedFootSearch {
     const double hand = dot(cross(axes.x, axes.y), axes.z) < 0 ? -face.sign : face.sign;
     const double middle = (face.range.v0 + face.range.v1) / 2;
     switch (surface_.kind) {
+      case SurfaceKind::torus: return;
       case SurfaceKind::plane: return;  // it does not turn
       case SurfaceKind::sphere: return rim_on_sphere(axis, hand, least, feet);
       case SurfaceKind::cylinder: return add_lines(face, axis, least * hand, 0, 1, feet);
@@ -148,6 +153,34 @@ class ClosedFootSearch {
     }
     if (std::fabs(inside) < own * aside)
       feet.add(std::atan2(-c.y, -c.x), apex + c.z / cosine);
+  }
+
+  // The distance of the centre from the circle in the middle of the tube: squared twice it stays of second
+  // degree, as the radius itself drops out.
+  GABARIT_HD void on_torus(ClosedFeet& feet) const {
+    const AxialVector c(surface_.axes, pencil_.point - surface_.axes.origin),
+        d(surface_.axes, pencil_.direction);
+    const double large = surface_.radius, small = surface_.minor, four = 4 * large * large;
+    const double square = c.across(c) + c.z * c.z, along = c.across(d) + c.z * d.z;
+    const double constant = square + large * large - small * small;
+    for (const double way : {-1.0, 1.0}) {
+      const double slope = 2 * (along - way * small);
+      const QuadraticRoots roots(slope * slope - four * d.across(d),
+                                 slope * constant - four * c.across(d),
+                                 constant * constant - four * c.across(c));
+      for (const double t : roots.t)
+        if (t > 0) add_on_torus(c, d, t, constant + slope * t < 0, small + way * t, feet);
+    }
+    const double x = std::sqrt(c.across(c)), off = std::sqrt((x - large) * (x - large) + c.z * c.z) - small;
+    if (std::fabs(off) < own * small) feet.add(c.azimuth(), std::atan2(-c.z, large - x));
+  }
+  // `far`: the circle is nearest on the other side of the axis.
+  GABARIT_HD void add_on_torus(const AxialVector& c, const AxialVector& d, double t, bool far, double distance,
+                               ClosedFeet& feet) const {
+    const double x = c.x + t * d.x, y = c.y + t * d.y, z = c.z + t * d.z;
+    const double turned = far ? -1 : 1, out = distance < 0 ? -1 : 1;
+    feet.add(std::atan2(turned * y, turned * x),
+             std::atan2(out * z, out * (turned * std::sqrt(x * x + y * y) - surface_.radius)));
   }
 
   // Along the circle only the distance from the point changes.
