@@ -25,35 +25,48 @@ class EdgeContact {
     return CurveDescent(view_.brep, curve_, pencil_).run(first_, last_, from);
   }
 
+  // Whether any of it can count.
+  GABARIT_HD bool can_count() const {
+    return can_face(piece_.beside[0]) || can_face(piece_.beside[1]) || can_be_hollow();
+  }
+
   // Whether a face beside it counts there, or the edge itself as a reflex one.
   GABARIT_HD bool counts(const CurveFoot& foot) const {
     Vec3d normal[2];
     for (std::size_t k = 0; k < 2; ++k) {
-      const EdgePiece::Beside& side = piece_.beside[k];
-      if (side.face == no_number) continue;
-      normal[k] = normal_beside(side, foot.curve.p, foot.t);
+      if (!can_face(piece_.beside[k])) continue;
+      normal[k] = normal_beside(piece_.beside[k], foot.curve.p, foot.t);
       if (dot(normal[k], axis_) >= least_facing_ - slack) return true;
     }
-    return foot.inside && reflex(foot, normal);
+    return foot.inside && can_be_hollow() && reflex(foot, normal);
   }
 
   // Between the foot, where the face on one side does not count, and an end of the piece, where it does: the
-  // place where it begins to. False when it does not count at that end either.
-  GABARIT_HD bool end_of_side(std::size_t k, bool at_first, CurveFoot& foot) const {
+  // place where it begins to. False when it does not count at that end either, or only at balls of `reach`
+  // and more.
+  GABARIT_HD bool end_of_side(std::size_t k, bool at_first, double reach, CurveFoot& foot) const {
     const EdgePiece::Beside& side = piece_.beside[k];
     const double end = at_first ? first_ : last_;
-    if (side.face == no_number || !can_face(side) || end == foot.t || !faces(side, end)) return false;
-    double no = foot.t, yes = end;
-    for (int i = 0; i < 50; ++i) {
-      const double middle = no + (yes - no) / 2;
+    if (!can_face(side) || end == foot.t) return false;
+    double no = foot.t, yes = end, off_no = facing(side, no), off_yes = facing(side, yes);
+    if (!(off_yes >= 0)) return false;
+    // By the straight line between the two, and by half wherever that is slow.
+    for (int i = 0; i < 60 && ball_of(pencil_, point(no)).radius < reach; ++i) {
+      const double share = i % 3 == 2 ? 0.5 : off_no / (off_no - off_yes);
+      const double middle = no + (yes - no) * (share > 0.01 ? (share < 0.99 ? share : 0.99) : 0.01);
       if (middle == no || middle == yes) break;
-      (faces(side, middle) ? yes : no) = middle;
+      const double off = facing(side, middle);
+      if (off >= 0)
+        yes = middle, off_yes = off;
+      else
+        no = middle, off_no = off;
+      if (off >= 0 && off < 1e-12) break;
     }
     foot.t = yes;
     foot.curve = curve_point(view_.brep, curve_, yes);
     foot.radius = ball_of(pencil_, foot.curve.p).radius;
     foot.residual = 0;
-    return true;
+    return foot.radius < reach;
   }
 
  private:
@@ -82,30 +95,42 @@ class EdgeContact {
       const Parameters go = metric.solve(dot(off, s.du), dot(off, s.dv));
       at.u += go.u, at.v += go.v;
       s = face_point(view_.brep, face, at);
-      if (metric.value(go.u, go.v) < 1e-18) break;
+      if (metric.value(go.u, go.v) < 1e-12) break;  // the next step would be far shorter
     }
     const Vec3d n = outward_normal_at(view_.brep, face, s);
     return n == Vec3d{} ? side.mean : n;
   }
 
-  // Whether the edge is hollow as the ball sees it and both faces leave the ball.
-  GABARIT_HD bool reflex(const CurveFoot& foot, const Vec3d (&n)[2]) const {
+  // Whether the edge is hollow as the ball sees it and both faces leave the ball. Normals that are known
+  // already are given.
+  GABARIT_HD bool reflex(const CurveFoot& foot, Vec3d (&n)[2]) const {
     const Vec3d w = ball_of(pencil_, foot.curve.p).arm / foot.radius;
     if (dot(w, pencil_.direction) < least_facing_ - slack) return false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const EdgePiece::Beside& side = piece_.beside[k];
+      if (side.face != no_number && n[k] == Vec3d{}) n[k] = normal_beside(side, foot.curve.p, foot.t);
+    }
     const Vec3d along = normalized(foot.curve.d * (last_ > first_ ? 1.0 : -1.0));
     if (piece_.beside[1].face == no_number) return dot(cross(n[0], along), w) >= -1e-6;
     const bool hollow = view_.side * dot(cross(n[0], n[1]), along) < -1e-9;
     return hollow && dot(cross(n[0], along), w) >= -1e-6 && dot(cross(along, n[1]), w) >= -1e-6;
   }
 
+  GABARIT_HD bool can_be_hollow() const {
+    return (view_.side > 0 ? piece_.least_turn : -piece_.greatest_turn) < 0;
+  }
+
   GABARIT_HD bool can_face(const EdgePiece::Beside& side) const {
+    if (side.face == no_number) return false;
     const double cosine = dot(side.mean, axis_);
     const double angle = std::acos(cosine > 1 ? 1.0 : cosine < -1 ? -1.0 : cosine);
     return angle <= side.spread || std::cos(angle - side.spread) >= least_facing_ - slack;
   }
 
-  GABARIT_HD bool faces(const EdgePiece::Beside& side, double t) const {
-    return dot(normal_beside(side, curve_point(view_.brep, curve_, t).p, t), axis_) >= least_facing_;
+  GABARIT_HD Vec3d point(double t) const { return curve_point(view_.brep, curve_, t).p; }
+  // Not negative where the face beside it counts.
+  GABARIT_HD double facing(const EdgePiece::Beside& side, double t) const {
+    return dot(normal_beside(side, point(t), t), axis_) - least_facing_;
   }
 
   const ExactView& view_;

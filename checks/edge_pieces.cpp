@@ -92,8 +92,10 @@ class Pieces {
     const std::array<VertexId, 2> ends{mesh_.facets[f][h % 3], mesh_.facets[f][(h + 1) % 3]};
     EdgePiece piece;
     piece.a = mesh_.vertices[ends[0]], piece.b = mesh_.vertices[ends[1]];
-    piece.beside[0] = beside(h, false);
-    if (other) piece.beside[1] = beside(*other, true);
+    std::array<std::vector<Vec3d>, 2> normals;
+    piece.beside[0] = beside(h, false, normals[0]);
+    if (other) piece.beside[1] = beside(*other, true, normals[1]);
+    set_turns(piece, normals);
     double sag = find_curve(piece);
     sag = std::max(sag, margin * bulge(piece));
     result_.pieces.push_back(piece);
@@ -103,21 +105,20 @@ class Pieces {
       result_.facet_sags[side / 3] = std::max(result_.facet_sags[side / 3], sag);
   }
 
-  EdgePiece::Beside beside(HalfEdgeId h, bool turned) const {
+  EdgePiece::Beside beside(HalfEdgeId h, bool turned, std::vector<Vec3d>& normals) const {
     EdgePiece::Beside side;
     side.face = face_of(h);
     const FacetOrigin& facet = origin(h);
     side.at = {facet.corners[h % 3], facet.corners[(h + 1) % 3]};
     if (turned) std::swap(side.at[0], side.at[1]);
-    set_normals(side, facet);
+    set_normals(side, facet, normals);
     return side;
   }
 
   // The normals at both ends and in the middle; those that there are.
-  void set_normals(EdgePiece::Beside& side, const FacetOrigin& facet) const {
+  void set_normals(EdgePiece::Beside& side, const FacetOrigin& facet, std::vector<Vec3d>& normals) const {
     if (side.face == no_number) return;
     const Face& face = brep_.faces[side.face];
-    std::vector<Vec3d> normals;
     for (const double share : {0.0, 0.5, 1.0}) {
       const Parameters at{side.at[0].u + share * (side.at[1].u - side.at[0].u),
                           side.at[0].v + share * (side.at[1].v - side.at[0].v)};
@@ -128,6 +129,21 @@ class Pieces {
     side.spread = facet.u_pole >= 0 || facet.v_pole >= 0 || normals.size() < 3 ? 4 : 0;
     for (const Vec3d& n : normals)
       side.spread = std::max(side.spread, 2 * std::atan2(length(cross(n, side.mean)), dot(n, side.mean)));
+  }
+
+  // What lies between the three places may differ by as much as these among themselves.
+  static void set_turns(EdgePiece& piece, const std::array<std::vector<Vec3d>, 2>& normals) {
+    if (normals[0].size() < 3 || normals[1].size() < 3) return;
+    const Vec3d along = normalized(piece.b - piece.a);
+    double least = 4, greatest = -4;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double turn =
+          std::atan2(dot(cross(normals[0][i], normals[1][i]), along), dot(normals[0][i], normals[1][i]));
+      least = std::min(least, turn), greatest = std::max(greatest, turn);
+    }
+    const double slack = greatest - least + 1e-3;
+    if (greatest + slack < 3 && least - slack > -3)  // a knife's edge looks like a slit
+      piece.least_turn = least - slack, piece.greatest_turn = greatest + slack;
   }
 
   std::vector<EdgeId> candidates(const EdgePiece& piece) const {

@@ -316,6 +316,7 @@ class ExactBallSearch {
 
   GABARIT_HD void try_piece(std::uint32_t number, double from) {
     const EdgeContact contact(view_, pencil_, least_facing_, number);
+    if (!contact.can_count()) return;
     const CurveFoot foot = contact.nearest(from);
     best_.steps += foot.iterations;
     if (!(foot.radius < reach_)) return;
@@ -323,7 +324,7 @@ class ExactBallSearch {
     // Where a face counts only beside a part of the piece, the end of that part is nearest.
     for (std::size_t k = 0; k < 4; ++k) {
       CurveFoot end = foot;
-      if (contact.end_of_side(k / 2, k % 2 == 0, end) && end.radius < reach_) keep_piece(number, end);
+      if (contact.end_of_side(k / 2, k % 2 == 0, reach_, end)) keep_piece(number, end);
     }
   }
 

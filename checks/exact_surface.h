@@ -26,6 +26,8 @@ struct EdgePiece {
     double spread = 0;             // radians: how far normals along the piece may turn away from it
   };
   std::array<Beside, 2> beside;
+  // Radians between the normals of its sides, at least and at most; positive where it is convex.
+  double least_turn = -4, greatest_turn = 4;
   double tolerance = 0;  // mm: how far the curve may lie from the faces
 };
 
