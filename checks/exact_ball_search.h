@@ -242,11 +242,11 @@ class ExactBallSearch {
 
   // The nearest contact that counts may lie where the normal turns away just far enough: on such facets only.
   GABARIT_HD void try_rim(FaceId face, Parameters from, double bound) {
-    const RimDescent descent(view_.brep, face, pencil_, axis_, least_facing_);
+    const RimDescent descent(view_.brep, face, pencil_, axis_, least_facing_, reach_);
     const FaceFoot rim = descent.run(from);
     best_.steps += rim.iterations;
     if (rim.found) return keep_face(face, rim, BallContact::separation);
-    if (!rim.at_end) leave_unexplained(bound);
+    if (!rim.at_end && !rim.above) leave_unexplained(bound);
   }
 
   // Whether the rim may cross the facet.

@@ -67,15 +67,6 @@ GABARIT_HD inline Vec3d outward_normal_at(const BrepView& brep, const Face& face
   return normalized(s.p - axes.origin) * hand;
 }
 
-// The same point of a sphere with v between its poles.
-GABARIT_HD inline Parameters between_poles(Parameters at) {
-  constexpr double pi = 3.14159265358979323846;
-  at.v -= 2 * pi * std::floor((at.v + pi) / (2 * pi));
-  if (at.v > pi / 2) return {at.u + pi, pi - at.v};
-  if (at.v < -pi / 2) return {at.u + pi, -pi - at.v};
-  return at;
-}
-
 // A foot that is known.
 GABARIT_HD inline FaceFoot known_foot(const BrepView& brep, const Face& face, const Pencil& pencil,
                                       Parameters at) {

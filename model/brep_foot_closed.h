@@ -1,6 +1,6 @@
-// Where the balls of a pencil touch planes, spheres, cylinders, cones and tori, and the smallest of them on the
-// line along which the normal of such a surface turns away by just so much (not of tori): in closed form. The
-// distance of the ball's centre from each of these is known without a foot; that it is the radius is an
+// Where the balls of a pencil touch planes, spheres, cylinders, cones and tori, and the smallest of them on
+// the line along which the normal of such a surface turns away by just so much (not of tori): in closed form.
+// The distance of the ball's centre from each of these is known without a foot; that it is the radius is an
 // equation of first or second degree.
 #pragma once
 
@@ -135,7 +135,8 @@ class ClosedFootSearch {
   // The same with the distance from a line of the cone, in the plane of the axis and the centre.
   GABARIT_HD void on_cone(ClosedFeet& feet) const {
     const double sine = std::sin(surface_.minor), cosine = std::cos(surface_.minor), apex = apex_of(surface_);
-    const AxialVector c(surface_.axes, pencil_.point - surface_.axes.origin - apex * cosine * surface_.axes.z),
+    const AxialVector c(surface_.axes,
+                        pencil_.point - surface_.axes.origin - apex * cosine * surface_.axes.z),
         d(surface_.axes, pencil_.direction);
     const double down = sine * c.z, aside = cosine * cosine * c.across(c);
     const double inside = aside - down * down;
@@ -151,8 +152,7 @@ class ClosedFootSearch {
                  apex + turned * sine * std::sqrt(x * x + y * y) + cosine * (c.z + t * d.z));
       }
     }
-    if (std::fabs(inside) < own * aside)
-      feet.add(std::atan2(-c.y, -c.x), apex + c.z / cosine);
+    if (std::fabs(inside) < own * aside) feet.add(std::atan2(-c.y, -c.x), apex + c.z / cosine);
   }
 
   // The distance of the centre from the circle in the middle of the tube: squared twice it stays of second
@@ -165,8 +165,7 @@ class ClosedFootSearch {
     const double constant = square + large * large - small * small;
     for (const double way : {-1.0, 1.0}) {
       const double slope = 2 * (along - way * small);
-      const QuadraticRoots roots(slope * slope - four * d.across(d),
-                                 slope * constant - four * c.across(d),
+      const QuadraticRoots roots(slope * slope - four * d.across(d), slope * constant - four * c.across(d),
                                  constant * constant - four * c.across(c));
       for (const double t : roots.t)
         if (t > 0) add_on_torus(c, d, t, constant + slope * t < 0, small + way * t, feet);
@@ -175,8 +174,8 @@ class ClosedFootSearch {
     if (std::fabs(off) < own * small) feet.add(c.azimuth(), std::atan2(-c.z, large - x));
   }
   // `far`: the circle is nearest on the other side of the axis.
-  GABARIT_HD void add_on_torus(const AxialVector& c, const AxialVector& d, double t, bool far, double distance,
-                               ClosedFeet& feet) const {
+  GABARIT_HD void add_on_torus(const AxialVector& c, const AxialVector& d, double t, bool far,
+                               double distance, ClosedFeet& feet) const {
     const double x = c.x + t * d.x, y = c.y + t * d.y, z = c.z + t * d.z;
     const double turned = far ? -1 : 1, out = distance < 0 ? -1 : 1;
     feet.add(std::atan2(turned * y, turned * x),
@@ -205,7 +204,8 @@ class ClosedFootSearch {
     add_on_line(face, middle - turn, sine, cosine, feet);
     add_on_line(face, middle + turn, sine, cosine, feet);
   }
-  GABARIT_HD void add_on_line(const Face& face, double u, double sine, double cosine, ClosedFeet& feet) const {
+  GABARIT_HD void add_on_line(const Face& face, double u, double sine, double cosine,
+                              ClosedFeet& feet) const {
     const Axes& axes = surface_.axes;
     const Vec3d e = std::cos(u) * axes.x + std::sin(u) * axes.y, along = sine * e + cosine * axes.z;
     const Vec3d start = axes.origin + surface_.radius * e - pencil_.point;

@@ -26,90 +26,99 @@ GABARIT_HD inline NormalTurn normal_turn(const SurfacePoint& s, double sign) {
 // outward normal · axis is `least` on the rim.
 class RimDescent {
  public:
+  // Balls of `reach` or more are of no interest.
   GABARIT_HD RimDescent(const BrepView& brep, FaceId face, const Pencil& pencil, const Vec3d& axis,
-                        double least)
+                        double least, double reach)
       : brep_(brep),
         face_(brep.faces[face]),
         pencil_(pencil),
         axis_(axis),
-        angle_(std::acos(least < -1 ? -1.0 : least)) {}
+        angle_(std::acos(least < -1 ? -1.0 : least)),
+        reach_(reach) {}
 
+  // By secants of the slope along the rim; where it does not bend away, by longer and longer steps.
   GABARIT_HD FaceFoot run(Parameters from) const {
-    FaceFoot foot;
-    if (!reach_rim(from, foot)) return foot;
-    double slope = slope_along(foot), second = 1;
-    double length_scale = foot.radius;
-    for (foot.iterations = 0; foot.iterations < most_iterations; ++foot.iterations) {
-      foot.residual = std::fabs(slope);
-      if (foot.residual <= 1e-11) break;
-      const double wanted = -slope * length_scale / second;
-      const double most = 0.5 * foot.radius;
+    Place here;
+    FaceFoot& foot = here.foot;
+    if (!reach_rim(from, here)) return foot;
+    const double scale = foot.radius;
+    double second = 1;
+    for (; foot.iterations < most_iterations && std::fabs(here.slope) > flat; ++foot.iterations) {
+      const double wanted = -here.slope * scale / second, most = 0.5 * foot.radius;
       double go = wanted > most ? most : wanted < -most ? -most : wanted;
-      FaceFoot next;
+      Place next;
       bool lower = false;
       for (int i = 0; i < most_halvings && !lower; ++i, go /= 2)
-        lower = reach_rim(along(foot, go), next) && next.radius < foot.radius;
-      foot.at_end = !lower && next.at_end;
+        lower = reach_rim(beside(here, go), next) && next.foot.radius < foot.radius;
+      foot.at_end = !lower && next.foot.at_end;
       if (!lower) break;
-      const double next_slope = slope_along(next);
-      const double bend = (next_slope - slope) / (2 * go) * length_scale;
-      // Where the rim does not bend away, longer and longer steps.
+      // The rim may run the other way there.
+      if (dot(next.along, here.along) < 0) next.slope = -next.slope, next.along = -next.along, next.turn();
+      const double bend = (next.slope - here.slope) / (2 * go) * scale;
       second = bend > 1e-4 ? bend : second / 4;
-      next.iterations = foot.iterations;
-      foot = next, slope = next_slope;
+      next.foot.iterations = foot.iterations;
+      here = next;
+      if (bend > 1e-4 && hopeless(here, scale / bend)) return foot.above = true, foot;
     }
-    foot.residual = std::fabs(slope);
+    foot.residual = std::fabs(here.slope);
     foot.found = foot.residual <= 1e-4;
-    if (on_sphere()) foot.at = between_poles(foot.at);
     return foot;
   }
 
  private:
   static constexpr int most_iterations = 30;
   static constexpr int most_halvings = 16;
+  static constexpr double flat = 1e-9;  // of the slope, mm a mm; the radius errs by the square
 
-  struct Rim {
-    double off;        // facing - least
-    double fu, fv;     // its derivatives
-    Parameters up;     // direction of steepest rise
-    double steepness;  // squared, 1/mm²
+  struct Place {
+    FaceFoot foot;
+    Parameters step;   // one millimetre along the rim
+    Vec3d along;       // the same in space
+    double slope = 0;  // of the radius, mm a mm
+    GABARIT_HD void turn() { step = {-step.u, -step.v}; }
   };
 
-  GABARIT_HD bool on_sphere() const { return brep_.surfaces[face_.surface].kind == SurfaceKind::sphere; }
-
-  // Over the pole of a sphere du turns round.
-  GABARIT_HD Rim rim_at(Parameters at, const SurfacePoint& s) const {
-    const bool beyond = on_sphere() && std::cos(at.v) < 0;
-    const NormalTurn turn = normal_turn(s, beyond ? -face_.sign : face_.sign);
-    // The angle from the axis: its gradient stays finite where the normal is along it.
-    const double facing = dot(turn.n, axis_), across = length(cross(turn.n, axis_));
-    const double sine = across > 1e-9 ? across : 1e-9;
-    const double fu = -dot(turn.du, axis_) / sine, fv = -dot(turn.dv, axis_) / sine;
-    const Form2 metric = first_form(s);
-    if (turn.n == Vec3d{} || !(metric.determinant() > 0)) return {0, 0, 0, {}, 0};
-    const Parameters up = metric.solve(fu, fv);
-    return {std::atan2(across, facing) - angle_, fu, fv, up, fu * up.u + fv * up.v};
+  // Close to a minimum the slope and its change tell how much smaller the ball can get.
+  GABARIT_HD bool hopeless(const Place& here, double bend_radius) const {
+    const double less = 0.5 * here.slope * here.slope * bend_radius;
+    return here.foot.radius - less >= reach_ * (1 - 1e-10) && less < 1e-2 * here.foot.radius;
   }
 
   // Up or down the steepest way until the normal is right.
-  GABARIT_HD bool reach_rim(Parameters at, FaceFoot& foot) const {
+  GABARIT_HD bool reach_rim(Parameters at, Place& place) const {
+    place.foot.at_end = false;
     for (int i = 0; i < 20; ++i) {
       const SurfacePoint s = face_point(brep_, face_, at);
-      const Rim rim = rim_at(at, s);
-      if (!(rim.steepness > 1e-12)) return foot.at_end = true, false;  // it does not turn: no rim
-      if (std::fabs(rim.off) < 1e-12) {
-        const PencilBall ball = ball_of(pencil_, s.p);
-        foot.at = at, foot.surface = s, foot.radius = ball.radius;
-        return ball.ahead > 0;
-      }
-      at.u -= rim.off / rim.steepness * rim.up.u, at.v -= rim.off / rim.steepness * rim.up.v;
-      if (!inside_domain(at)) return foot.at_end = true, false;
+      const NormalTurn turn = normal_turn(s, face_.sign);
+      const Form2 metric = first_form(s);
+      // The angle from the axis: its gradient stays finite where the normal is along it.
+      const double facing = dot(turn.n, axis_), across = length(cross(turn.n, axis_));
+      const double sine = across > 1e-9 ? across : 1e-9;
+      const double fu = -dot(turn.du, axis_) / sine, fv = -dot(turn.dv, axis_) / sine;
+      if (turn.n == Vec3d{} || !(metric.determinant() > 0)) return place.foot.at_end = true, false;
+      const Parameters up = metric.solve(fu, fv);
+      const double steepness = fu * up.u + fv * up.v;                    // squared, 1/mm²
+      if (!(steepness > 1e-12)) return place.foot.at_end = true, false;  // it does not turn: no rim
+      const double off = std::atan2(across, facing) - angle_;
+      if (std::fabs(off) < 1e-11) return settle(at, s, metric, {-fv, fu}, place);
+      at.u -= off / steepness * up.u, at.v -= off / steepness * up.v;
+      if (!inside_domain(at)) return place.foot.at_end = true, false;
     }
     return false;
   }
 
+  GABARIT_HD bool settle(Parameters at, const SurfacePoint& s, const Form2& metric, Parameters level,
+                         Place& place) const {
+    const PencilBall ball = ball_of(pencil_, s.p);
+    place.foot.at = at, place.foot.surface = s, place.foot.radius = ball.radius;
+    const double speed = std::sqrt(metric.value(level.u, level.v));
+    place.step = {level.u / speed, level.v / speed};
+    place.along = s.du * place.step.u + s.dv * place.step.v;
+    place.slope = dot(ball.arm, place.along) / ball.ahead;
+    return ball.ahead > 0 && speed > 0;
+  }
+
   GABARIT_HD bool inside_domain(Parameters at) const {
-    if (on_sphere()) return true;
     const Surface& s = brep_.surfaces[face_.surface];
     const ParameterBox& r = face_.range;
     const double u = 0.1 * (r.u1 - r.u0), v = 0.1 * (r.v1 - r.v0);
@@ -117,29 +126,15 @@ class RimDescent {
            (s.v_periodic || (at.v >= r.v0 - v && at.v <= r.v1 + v));
   }
 
-  // One millimetre along the rim, in parameters.
-  GABARIT_HD Parameters tangent(const FaceFoot& foot) const {
-    const Rim rim = rim_at(foot.at, foot.surface);
-    const Parameters raw{-rim.fv, rim.fu};
-    const double speed = std::sqrt(first_form(foot.surface).value(raw.u, raw.v));
-    return speed > 0 ? Parameters{raw.u / speed, raw.v / speed} : Parameters{};
-  }
-  GABARIT_HD Parameters along(const FaceFoot& foot, double by) const {
-    const Parameters t = tangent(foot);
-    return {foot.at.u + by * t.u, foot.at.v + by * t.v};
-  }
-  // Of the radius, mm a mm.
-  GABARIT_HD double slope_along(const FaceFoot& foot) const {
-    const Parameters t = tangent(foot);
-    const PencilBall ball = ball_of(pencil_, foot.surface.p);
-    return dot(ball.arm, foot.surface.du * t.u + foot.surface.dv * t.v) / ball.ahead;
+  GABARIT_HD static Parameters beside(const Place& place, double by) {
+    return {place.foot.at.u + by * place.step.u, place.foot.at.v + by * place.step.v};
   }
 
   const BrepView& brep_;
   const Face& face_;
   const Pencil& pencil_;
   Vec3d axis_;
-  double angle_;
+  double angle_, reach_;
 };
 
 }  // namespace gabarit
