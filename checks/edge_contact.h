@@ -25,9 +25,11 @@ class EdgeContact {
     return CurveDescent(view_.brep, curve_, pencil_).run(first_, last_, from);
   }
 
-  // Whether any of it can count.
-  GABARIT_HD bool can_count() const {
-    return can_face(piece_.beside[0]) || can_face(piece_.beside[1]) || can_be_hollow();
+  // Whether a face beside it can count anywhere along it.
+  GABARIT_HD bool can_face() const { return can_face(piece_.beside[0]) || can_face(piece_.beside[1]); }
+  // Whether it can be reflex.
+  GABARIT_HD bool can_be_hollow() const {
+    return (view_.side > 0 ? piece_.least_turn : -piece_.greatest_turn) < 0;
   }
 
   // Whether a face beside it counts there, or the edge itself as a reflex one.
@@ -114,10 +116,6 @@ class EdgeContact {
     if (piece_.beside[1].face == no_number) return dot(cross(n[0], along), w) >= -1e-6;
     const bool hollow = view_.side * dot(cross(n[0], n[1]), along) < -1e-9;
     return hollow && dot(cross(n[0], along), w) >= -1e-6 && dot(cross(along, n[1]), w) >= -1e-6;
-  }
-
-  GABARIT_HD bool can_be_hollow() const {
-    return (view_.side > 0 ? piece_.least_turn : -piece_.greatest_turn) < 0;
   }
 
   GABARIT_HD bool can_face(const EdgePiece::Beside& side) const {

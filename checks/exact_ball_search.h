@@ -53,7 +53,7 @@ class ExactBallSearch {
     else if (contact.kind == BallContact::separation)
       try_rim(contact.face, contact.at, infinite);
     else if (contact.piece != no_number)
-      try_piece(contact.piece, contact.t);
+      try_piece(contact.piece, contact.t, false);
   }
 
   GABARIT_HD ExactBall result() const {
@@ -311,12 +311,16 @@ class ExactBallSearch {
     const TangentBall ball = ball_through_segment(d, a, b, &at);
     if (!(ball.radius - e < reach_)) return;
     const EdgePiece& piece = view_.pieces[p.corner[2]];
-    try_piece(p.corner[2], piece.first + at * (piece.last - piece.first));
+    // Only as a reflex edge, and then only ahead of the ball's middle.
+    const double deepest = (dot(d, a) > dot(d, b) ? dot(d, a) : dot(d, b)) + e;
+    const bool too_shallow = deepest < (1 + least_facing_) * (ball.radius - e) * (1 - facing_slack);
+    try_piece(p.corner[2], piece.first + at * (piece.last - piece.first), too_shallow);
   }
 
-  GABARIT_HD void try_piece(std::uint32_t number, double from) {
+  // `shallow`: it is not reflex for a ball.
+  GABARIT_HD void try_piece(std::uint32_t number, double from, bool shallow) {
     const EdgeContact contact(view_, pencil_, least_facing_, number);
-    if (!contact.can_count()) return;
+    if (!contact.can_face() && (shallow || !contact.can_be_hollow())) return;
     const CurveFoot foot = contact.nearest(from);
     best_.steps += foot.iterations;
     if (!(foot.radius < reach_)) return;

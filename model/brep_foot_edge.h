@@ -15,18 +15,36 @@ struct CurveFoot {
 };
 
 // Newton's method between two ends, kept there by halving: the sign of the slope is known also where no ball
-// gets, behind the pencil's tangent plane. The piece is so short that there is one minimum on it.
+// gets, behind the pencil's tangent plane. The piece is so short that there is one minimum on it. Its ends
+// are looked at only when a step leads beyond them.
 class CurveDescent {
  public:
   GABARIT_HD CurveDescent(const BrepView& brep, const Curve& curve, const Pencil& pencil)
       : brep_(brep), curve_(curve), pencil_(pencil) {}
 
   GABARIT_HD CurveFoot run(double first, double last, double from) const {
-    const double low = first < last ? first : last, high = first < last ? last : first;
-    const CurveFoot a = at(low), b = at(high);
-    if (!(slope(a) < 0)) return ended(a);
-    if (!(slope(b) > 0)) return ended(b);
-    return between(low, high, from);
+    const double least = first < last ? first : last, most = first < last ? last : first;
+    double low = least, high = most, t = from > low && from < high ? from : low + (high - low) / 2;
+    bool least_seen = false, most_seen = false;
+    CurveFoot foot;
+    for (int iterations = 0;; ++iterations) {
+      foot = at(t);
+      foot.iterations = iterations;
+      const bool falls = slope(foot) < 0, ends = falls ? t == most : t == least;
+      foot.inside = !ends || foot.residual <= 1e-9 * foot.radius;
+      const double scale = foot.radius + 1e-3 * length(pencil_.point);
+      if (ends || foot.residual <= 1e-13 * scale || iterations >= most_iterations) return foot;
+      (falls ? low : high) = t;
+      const double next = newton(foot, t), half = low + (high - low) / 2;
+      bool& end_seen = falls ? most_seen : least_seen;
+      if (next > low && next < high)
+        t = next;
+      else if (!end_seen)
+        t = falls ? most : least, end_seen = true;
+      else
+        t = half;
+      if (t == foot.t || (t == half && (half == low || half == high))) return foot;
+    }
   }
 
  private:
@@ -49,30 +67,6 @@ class CurveDescent {
     if (!(dot(pencil_.direction, q) > 0)) return -dot(pencil_.direction, foot.curve.d);
     return 2 * dot(pencil_.direction, q) * dot(q, foot.curve.d) -
            squared_length(q) * dot(pencil_.direction, foot.curve.d);
-  }
-
-  GABARIT_HD CurveFoot ended(CurveFoot foot) const {
-    foot.inside = foot.residual <= 1e-9 * foot.radius;
-    return foot;
-  }
-
-  GABARIT_HD CurveFoot between(double low, double high, double from) const {
-    double t = from > low && from < high ? from : low + (high - low) / 2;
-    CurveFoot foot;
-    int iterations = 0;
-    for (;; ++iterations) {
-      foot = at(t);
-      const double rise = slope(foot);
-      (rise < 0 ? low : high) = t;
-      const double scale = foot.radius + 1e-3 * length(pencil_.point);
-      if (foot.residual <= 1e-13 * scale || iterations >= most_iterations) break;
-      const double next = newton(foot, t);
-      t = next > low && next < high ? next : low + (high - low) / 2;
-      if (t == low || t == high || t == foot.t) break;
-    }
-    foot.iterations = iterations;
-    foot.inside = true;
-    return foot;
   }
 
   GABARIT_HD double newton(const CurveFoot& foot, double t) const {
