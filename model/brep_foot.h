@@ -102,6 +102,7 @@ class FaceDescent {
  private:
   static constexpr int most_iterations = 40;
   static constexpr int most_halvings = 40;
+  static constexpr double stiffest = 0.05;
 
   GABARIT_HD void move_to(FaceFoot& foot, Parameters at) {
     foot.at = at;
@@ -135,12 +136,12 @@ class FaceDescent {
     if (foot.residual <= 1e-13 * scale) return foot.found = true, false;
     const bool convex = second.uu > 0 && second.determinant() > 1e-8 * metric.determinant();
     if (convex && hopeless(foot, metric, second, gu, gv)) return foot.above = true, false;
-    return descend(foot, convex ? second : positive(second, metric), second, gu, gv);
+    return descend(foot, convex ? second : positive(second, metric), second, metric, gu, gv);
   }
 
   // Downhill with Newton's speed where the form is not positive: its eigenvalues (those of the metric are 1)
   // by their size, which makes it a sum of the two forms.
-  GABARIT_HD static Form2 positive(const Form2& second, const Form2& metric) {
+  GABARIT_HD Form2 positive(const Form2& second, const Form2& metric) const {
     const double area = metric.determinant();
     const double mean =
         (second.uu * metric.vv - 2 * second.uv * metric.uv + second.vv * metric.uu) / (2 * area);
@@ -152,8 +153,9 @@ class FaceDescent {
     return {rest * metric.uu + slope * second.uu, rest * metric.uv + slope * second.uv,
             rest * metric.vv + slope * second.vv};
   }
-  GABARIT_HD static double sized(double eigenvalue) {
-    return eigenvalue > 1e-4 ? eigenvalue : eigenvalue < -0.05 ? -eigenvalue : 0.05;
+  // Along valleys that hardly bend `stiffness_` sets the length of a step.
+  GABARIT_HD double sized(double eigenvalue) const {
+    return eigenvalue > 1e-4 ? eigenvalue : eigenvalue < -stiffness_ ? -eigenvalue : stiffness_;
   }
 
   // Where the surface is nearly a quadratic, Newton's step tells how much smaller the ball can get.
@@ -173,12 +175,13 @@ class FaceDescent {
   }
 
   // A parameter at the end of its range that would leave it goes to the end and stays there.
-  GABARIT_HD bool descend(FaceFoot& foot, const Form2& form, const Form2& second, double gu, double gv) {
+  GABARIT_HD bool descend(FaceFoot& foot, const Form2& form, const Form2& second, const Form2& metric,
+                          double gu, double gv) {
     Parameters go = shortened(form.solve(-gu, -gv));
     const bool u_ends = u_leaves(foot.at.u, go.u);
-    if (u_ends) go = shortened({0, -gv / (second.vv > 1e-3 * form.vv ? second.vv : form.vv)});
+    if (u_ends) go = shortened({0, -gv / (sized(second.vv / metric.vv) * metric.vv)});
     const bool v_ends = v_leaves(foot.at.v, go.v);
-    if (v_ends && !u_ends) go = shortened({-gu / (second.uu > 1e-3 * form.uu ? second.uu : form.uu), 0});
+    if (v_ends && !u_ends) go = shortened({-gu / (sized(second.uu / metric.uu) * metric.uu), 0});
     const bool both = v_ends && (u_ends || u_leaves(foot.at.u, go.u));
     if (both || u_ends) go.u = 0;
     if (v_ends) go.v = 0;
@@ -218,7 +221,11 @@ class FaceDescent {
       const Parameters to = clamped({before.at.u + share * go.u, before.at.v + share * go.v});
       if (to.u == before.at.u && to.v == before.at.v) break;
       move_to(foot, to);
-      if (ball_.ahead > 0 && ball_.radius <= before.radius + 1e-4 * share * slope) return true;
+      if (ball_.ahead > 0 && ball_.radius <= before.radius + 1e-4 * share * slope) {
+        stiffness_ *= share == 1 ? 0.125 : 8;
+        stiffness_ = stiffness_ < 1e-7 ? 1e-7 : stiffness_ > stiffest ? stiffest : stiffness_;
+        return true;
+      }
       // Below the last digits of the radius only the residual tells.
       if (ball_.ahead > 0 && -slope < 1e-13 * before.radius) return settle(foot, before, ball, at_end);
     }
@@ -251,6 +258,7 @@ class FaceDescent {
   const Face& face_;
   const Pencil& pencil_;
   double reach_;
+  double stiffness_ = stiffest;
   bool u_free_ = false, v_free_ = false;
   PencilBall ball_;
 };
