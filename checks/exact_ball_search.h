@@ -222,13 +222,15 @@ class ExactBallSearch {
   // Whether the way to the foot led from what counts to what does not.
   GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
     if (best_.starts >= most_starts) return leave_unexplained(bound), false;
-    FaceDescent descent(view_.brep, face, pencil_, reach_);
+    if (known_on_ != face) known_on_ = face, known_feet_ = {};
+    FaceDescent descent(view_.brep, face, pencil_, reach_, known_feet_);
     const FaceFoot foot = descent.run(from);
     ++best_.starts, best_.steps += foot.iterations;
     if (foot.above) return false;
     if (!foot.found && singular(face, foot.surface)) return keep_pole(face, foot), false;
     const bool counts_there = counts(face, foot.surface);
-    if (foot.found && counts_there) return keep_face(face, foot, BallContact::face), false;
+    if (foot.found && counts_there) known_feet_.add(foot.at);
+    if (counts_there) keep_face(face, foot, BallContact::face);
     if ((foot.found || foot.at_end) && counts_there) return false;
     const bool counted = counts(face, face_point(view_.brep, view_.brep.faces[face], from));
     if (!foot.found && !foot.at_end && (counted || counts_there)) leave_unexplained(bound);
@@ -371,6 +373,8 @@ class ExactBallSearch {
   SphereCulling culling_;
   ExactBall best_;
   double reach_ = 0, loose_facing_ = -1, unexplained_ = infinite;
+  KnownFeet known_feet_;  // of the face that was last tried by steps
+  FaceId known_on_ = no_number;
   static constexpr int most_solved = 16;
   FaceId solved_[most_solved] = {};
   int solved_count_ = 0;

@@ -38,7 +38,7 @@ struct FaceFoot {
   double residual = std::numeric_limits<double>::infinity();  // mm: of the arm across the surface's normal
   int iterations = 0;
   bool found = false;   // a stationary point inside the face's range
-  bool above = false;   // not followed to its end: it stays above the reach
+  bool above = false;   // not followed to its end: it stays above the reach, or leads where a foot is known
   bool at_end = false;  // as far as the face's range goes: smaller balls are outside of it
 };
 
@@ -81,13 +81,25 @@ GABARIT_HD inline FaceFoot known_foot(const BrepView& brep, const Face& face, co
   return foot;
 }
 
+// Minima of one face that are known already, as far as there is room.
+struct KnownFeet {
+  static constexpr int most = 4;
+  Parameters at[most];
+  int count = 0;
+
+  GABARIT_HD void add(Parameters foot) {
+    if (count < most) at[count++] = foot;
+  }
+};
+
 // Newton's method on one face from one place.
 class FaceDescent {
  public:
-  // Balls of `reach` or more are of no interest: a descent that will not get below it ends.
-  GABARIT_HD FaceDescent(const BrepView& brep, FaceId face, const Pencil& pencil,
-                         double reach = std::numeric_limits<double>::infinity())
-      : brep_(brep), face_(brep.faces[face]), pencil_(pencil), reach_(reach) {
+  // Balls of `reach` or more and feet that are known are of no interest: a descent that will not get below
+  // the one, or is about to end at the other, ends.
+  GABARIT_HD FaceDescent(const BrepView& brep, FaceId face, const Pencil& pencil, double reach,
+                         const KnownFeet& known)
+      : brep_(brep), face_(brep.faces[face]), pencil_(pencil), reach_(reach), known_(known) {
     const Surface& s = brep.surfaces[face_.surface];
     u_free_ = s.u_periodic, v_free_ = s.v_periodic;
   }
@@ -164,8 +176,17 @@ class FaceDescent {
     const Parameters go = second.solve(gu, gv);
     const double less = (gu * go.u + gv * go.v) / ball_.ahead;
     const double way = metric.value(go.u, go.v);
-    return foot.radius - less >= reach_ * (1 - 1e-10) && less < 1e-2 * foot.radius &&
-           way < 1e-2 * foot.radius * foot.radius;
+    const bool stays = foot.radius - less >= reach_ * (1 - 1e-10) && less < 1e-2 * foot.radius &&
+                       way < 1e-2 * foot.radius * foot.radius;
+    return stays || leads_to_known(foot.at, go, metric);
+  }
+  GABARIT_HD bool leads_to_known(Parameters from, Parameters back, const Form2& metric) const {
+    for (int i = 0; i < known_.count; ++i) {
+      const Parameters& foot = known_.at[i];
+      const double off = metric.value(foot.u - from.u + back.u, foot.v - from.v + back.v);
+      if (off <= 1e-2 * metric.value(back.u, back.v)) return true;
+    }
+    return false;
   }
 
   GABARIT_HD static double residual(const Form2& metric, double gu, double gv) {
@@ -258,6 +279,7 @@ class FaceDescent {
   const Face& face_;
   const Pencil& pencil_;
   double reach_;
+  const KnownFeet& known_;
   double stiffness_ = stiffest;
   bool u_free_ = false, v_free_ = false;
   PencilBall ball_;
