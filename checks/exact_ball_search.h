@@ -222,14 +222,13 @@ class ExactBallSearch {
   // Whether the way to the foot led from what counts to what does not.
   GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
     if (best_.starts >= most_starts) return leave_unexplained(bound), false;
-    if (known_on_ != face) known_on_ = face, known_feet_ = {};
     FaceDescent descent(view_.brep, face, pencil_, reach_, known_feet_);
     const FaceFoot foot = descent.run(from);
     ++best_.starts, best_.steps += foot.iterations;
     if (foot.above) return false;
     if (!foot.found && singular(face, foot.surface)) return keep_pole(face, foot), false;
     const bool counts_there = counts(face, foot.surface);
-    if (foot.found && counts_there) known_feet_.add(foot.at);
+    if (foot.found && counts_there) known_feet_.add(face, foot.at);
     if (counts_there) keep_face(face, foot, BallContact::face);
     if ((foot.found || foot.at_end) && counts_there) return false;
     const bool counted = counts(face, face_point(view_.brep, view_.brep.faces[face], from));
@@ -244,9 +243,10 @@ class ExactBallSearch {
 
   // The nearest contact that counts may lie where the normal turns away just far enough: on such facets only.
   GABARIT_HD void try_rim(FaceId face, Parameters from, double bound) {
-    const RimDescent descent(view_.brep, face, pencil_, axis_, least_facing_, reach_);
-    const FaceFoot rim = descent.run(from);
+    const RimDescent descent(view_.brep, face, pencil_, axis_, least_facing_, reach_, known_rims_);
+    const RimFoot rim = descent.run(from);
     best_.steps += rim.iterations;
+    if (rim.found || rim.above) known_rims_.add(face, rim);
     if (rim.found) return keep_face(face, rim, BallContact::separation);
     if (!rim.at_end && !rim.above) leave_unexplained(bound);
   }
@@ -373,8 +373,8 @@ class ExactBallSearch {
   SphereCulling culling_;
   ExactBall best_;
   double reach_ = 0, loose_facing_ = -1, unexplained_ = infinite;
-  KnownFeet known_feet_;  // of the face that was last tried by steps
-  FaceId known_on_ = no_number;
+  KnownFeet known_feet_;
+  KnownRimFeet known_rims_;
   static constexpr int most_solved = 16;
   FaceId solved_[most_solved] = {};
   int solved_count_ = 0;

@@ -81,15 +81,17 @@ GABARIT_HD inline FaceFoot known_foot(const BrepView& brep, const Face& face, co
   return foot;
 }
 
-// Minima of one face that are known already, as far as there is room.
+// Minima that are known already; the latest ones.
 struct KnownFeet {
-  static constexpr int most = 4;
-  Parameters at[most];
-  int count = 0;
+  static constexpr int most = 8;
+  struct {
+    FaceId face;
+    Parameters at;
+  } feet[most];
+  int added = 0;
 
-  GABARIT_HD void add(Parameters foot) {
-    if (count < most) at[count++] = foot;
-  }
+  GABARIT_HD int count() const { return added < most ? added : most; }
+  GABARIT_HD void add(FaceId face, Parameters at) { feet[added++ % most] = {face, at}; }
 };
 
 // Newton's method on one face from one place.
@@ -99,7 +101,7 @@ class FaceDescent {
   // the one, or is about to end at the other, ends.
   GABARIT_HD FaceDescent(const BrepView& brep, FaceId face, const Pencil& pencil, double reach,
                          const KnownFeet& known)
-      : brep_(brep), face_(brep.faces[face]), pencil_(pencil), reach_(reach), known_(known) {
+      : brep_(brep), id_(face), face_(brep.faces[face]), pencil_(pencil), reach_(reach), known_(known) {
     const Surface& s = brep.surfaces[face_.surface];
     u_free_ = s.u_periodic, v_free_ = s.v_periodic;
   }
@@ -181,8 +183,9 @@ class FaceDescent {
     return stays || leads_to_known(foot.at, go, metric);
   }
   GABARIT_HD bool leads_to_known(Parameters from, Parameters back, const Form2& metric) const {
-    for (int i = 0; i < known_.count; ++i) {
-      const Parameters& foot = known_.at[i];
+    for (int i = 0; i < known_.count(); ++i) {
+      if (known_.feet[i].face != id_) continue;
+      const Parameters& foot = known_.feet[i].at;
       const double off = metric.value(foot.u - from.u + back.u, foot.v - from.v + back.v);
       if (off <= 1e-2 * metric.value(back.u, back.v)) return true;
     }
@@ -276,6 +279,7 @@ class FaceDescent {
   static constexpr double near_enough = 3e-6;  // of the radius; the radius errs by the square
 
   const BrepView& brep_;
+  FaceId id_;
   const Face& face_;
   const Pencil& pencil_;
   double reach_;

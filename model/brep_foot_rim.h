@@ -23,24 +23,48 @@ GABARIT_HD inline NormalTurn normal_turn(const SurfacePoint& s, double sign) {
   return {n, u - n * dot(n, u), v - n * dot(n, v)};
 }
 
+struct RimFoot : FaceFoot {
+  Vec3d least;      // where the radius is least along the rim, nearly
+  double bend = 0;  // 1/mm: by how much the slope of the radius changes along the rim; 0: not known
+};
+
+// Minima on rims that are known already, at least nearly; the latest ones.
+struct KnownRimFeet {
+  static constexpr int most = 8;
+  struct {
+    FaceId face;
+    Vec3d point;
+    double bend;
+  } feet[most];
+  int added = 0;
+
+  GABARIT_HD int count() const { return added < most ? added : most; }
+  GABARIT_HD void add(FaceId face, const RimFoot& foot) {
+    if (foot.bend > 0) feet[added++ % most] = {face, foot.least, foot.bend};
+  }
+};
+
 // outward normal · axis is `least` on the rim.
 class RimDescent {
  public:
-  // Balls of `reach` or more are of no interest.
+  // Balls of `reach` or more and feet that are known are of no interest.
   GABARIT_HD RimDescent(const BrepView& brep, FaceId face, const Pencil& pencil, const Vec3d& axis,
-                        double least, double reach)
+                        double least, double reach, const KnownRimFeet& known)
       : brep_(brep),
+        id_(face),
         face_(brep.faces[face]),
         pencil_(pencil),
         axis_(axis),
         angle_(std::acos(least < -1 ? -1.0 : least)),
-        reach_(reach) {}
+        reach_(reach),
+        known_(known) {}
 
   // By secants of the slope along the rim; where it does not bend away, by longer and longer steps.
-  GABARIT_HD FaceFoot run(Parameters from) const {
+  GABARIT_HD RimFoot run(Parameters from) const {
     Place here;
-    FaceFoot& foot = here.foot;
+    RimFoot& foot = here.foot;
     if (!reach_rim(from, here)) return foot;
+    if (leads_to_known(here)) return foot.above = true, foot;  // with no bend of its own
     const double scale = foot.radius;
     double second = 1;
     for (; foot.iterations < most_iterations && std::fabs(here.slope) > flat; ++foot.iterations) {
@@ -57,9 +81,12 @@ class RimDescent {
       const double bend = (next.slope - here.slope) / (2 * go) * scale;
       second = bend > 1e-4 ? bend : second / 4;
       next.foot.iterations = foot.iterations;
+      next.foot.bend = bend > 1e-4 ? bend / scale : 0;
+      if (bend > 1e-4) next.foot.least = next.foot.surface.p - next.along * (next.slope * scale / bend);
       here = next;
       if (bend > 1e-4 && hopeless(here, scale / bend)) return foot.above = true, foot;
     }
+    foot.least = foot.surface.p;
     foot.residual = std::fabs(here.slope);
     foot.found = foot.residual <= 1e-4;
     return foot;
@@ -71,7 +98,7 @@ class RimDescent {
   static constexpr double flat = 1e-9;  // of the slope, mm a mm; the radius errs by the square
 
   struct Place {
-    FaceFoot foot;
+    RimFoot foot;
     Parameters step;   // one millimetre along the rim
     Vec3d along;       // the same in space
     double slope = 0;  // of the radius, mm a mm
@@ -82,6 +109,18 @@ class RimDescent {
   GABARIT_HD bool hopeless(const Place& here, double bend_radius) const {
     const double less = 0.5 * here.slope * here.slope * bend_radius;
     return here.foot.radius - less >= reach_ * (1 - 1e-10) && less < 1e-2 * here.foot.radius;
+  }
+
+  GABARIT_HD bool leads_to_known(const Place& here) const {
+    for (int i = 0; i < known_.count(); ++i) {
+      if (known_.feet[i].face != id_) continue;
+      const Vec3d way = known_.feet[i].point - here.foot.surface.p;
+      const double along = dot(way, here.along), expected = -known_.feet[i].bend * along;
+      if (std::fabs(along) > 0.95 * length(way) &&
+          std::fabs(expected - here.slope) < 0.1 * std::fabs(here.slope))
+        return true;
+    }
+    return false;
   }
 
   // Up or down the steepest way until the normal is right.
@@ -131,10 +170,12 @@ class RimDescent {
   }
 
   const BrepView& brep_;
+  FaceId id_;
   const Face& face_;
   const Pencil& pencil_;
   Vec3d axis_;
   double angle_, reach_;
+  const KnownRimFeet& known_;
 };
 
 }  // namespace gabarit
