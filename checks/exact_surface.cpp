@@ -133,6 +133,10 @@ ExactView ExactSurface::view() const {
           size};
 }
 
+double ExactSurface::greatest_turn() const {
+  return facet_turns.empty() ? 0 : *std::max_element(facet_turns.begin(), facet_turns.end());
+}
+
 std::size_t ExactSurface::bytes() const {
   return tree.bytes() + pieces.size() * sizeof(EdgePiece) + corners.size() * sizeof(EdgeCorner) +
          directions.size() * sizeof(Vec3d) + (facet_sags.size() + facet_turns.size()) * sizeof(float);

@@ -67,6 +67,8 @@ struct ExactSurface {
   const Model* model = nullptr;
 
   ExactView view() const;
+  // Radians: by which normals of surfaces turn away from those of their facets at most.
+  double greatest_turn() const;
   std::size_t bytes() const;
 };
 

@@ -3,6 +3,8 @@
 #include <map>
 #include <mutex>
 
+#include "checks/exact_surface.h"
+
 namespace gabarit {
 
 struct Scene::Shared {

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "checks/contact_surface.h"
-#include "checks/exact_surface.h"
 #include "checks/frame.h"
 #include "checks/interval.h"
 #include "gpu/device.h"
@@ -13,6 +12,8 @@
 #include "model/model.h"
 
 namespace gabarit {
+
+struct ExactSurface;
 
 class Scene {
  public:

@@ -139,6 +139,21 @@ TEST_F(ExactBallTest, nothing_beats_what_is_found_on_rounded_and_bored_parts) {
   expect_none_beats(Part(loaded(step(plate)), any, Side::outside), 4000);
 }
 
+// The ball that touches a cone all around has its centre on the axis.
+TEST_F(ExactBallTest, a_cone_thins_out_towards_its_apex) {
+  const Part part(loaded(step(step_shapes::turned(step_shapes::cone(10, 25), 33))), wall);
+  const double tangent = 10.0 / 25;
+  const Vec3d apex{0, -25 * std::sin(33 * degree), 25 * std::cos(33 * degree)};
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < part.found.size(); ++i) {
+    if (part.surface_at(i).kind != SurfaceKind::cone || !part.found[i].measured) continue;
+    EXPECT_NEAR(part.found[i].value, 2 * length(part.found[i].at - apex) * tangent, 1e-7);
+    ++checked;
+  }
+  EXPECT_GT(checked, 100U);
+  expect_none_beats(part, 4000);
+}
+
 // Straight below it nothing counts but the tip, where the parameters of the cone have a pole.
 TEST_F(ExactBallTest, the_tip_of_a_drilled_hole_stops_the_ball) {
   const TopoDS_Shape drill = step_shapes::turned(step_shapes::cone(3, 5), 180);

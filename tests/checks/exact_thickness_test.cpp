@@ -44,7 +44,7 @@ TEST_F(ExactThickness, the_thinnest_place_is_found_between_the_places_looked_at)
       loaded(step(step_shapes::minus(step_shapes::cylinder(10, 60),
                                      step_shapes::moved(step_shapes::cylinder(6, 60), 2, 0, 0))),
              coarse);
-  for (const double limit : {0.0, 2.5}) {
+  for (const double limit : {0.0, 1.2, 2.5}) {
     const Field field = walls_of(model, limit);
     const auto thinnest = std::min_element(field.value.begin(), field.value.end()) - field.value.begin();
     const auto i = static_cast<std::size_t>(thinnest);
@@ -74,6 +74,32 @@ TEST_F(ExactThickness, facets_of_the_same_part_agree_wherever_their_bounds_decid
       }
     }
   }
+}
+
+// The plate is clear of the limit wherever it is looked at coarsely: its least value is found all the same.
+TEST_F(ExactThickness, a_narrow_groove_in_a_plate_that_is_clear_of_the_limit_is_measured) {
+  const TopoDS_Shape plate = step_shapes::minus(
+      step_shapes::box(90, 70, 10), step_shapes::moved(step_shapes::box(1, 200, 7), 38.3, -50, 3));
+  const Field field = walls_of(loaded(step(plate)), 1.2);
+  EXPECT_NEAR(least_value(field), 3, 1e-6);
+  EXPECT_GE(*std::min_element(field.lower.begin(), field.lower.end()), 1.2);
+}
+
+// The chamfer of the hole turns away from the side wall by 115 to 125 degrees within one facet: the facets'
+// normals do not count, those of the cone do in part.
+TEST_F(ExactThickness, a_cell_is_not_clear_where_normals_count_within_a_facet_only) {
+  const TopoDS_Shape chamfer = step_shapes::moved(step_shapes::turned(step_shapes::cone(3, 3), 180), 0, 0, 6);
+  const TopoDS_Shape part =
+      step_shapes::minus(step_shapes::moved(step_shapes::box(12.4, 24, 6), -9, -12, 0), chamfer);
+  LoadOptions coarse;
+  coarse.sag = 0.2;
+  const Model model = loaded(step(part), coarse);
+  const Field with_limit = walls_of(model, 1.2), finely = walls_of(model, 0);
+  const auto failing = [](const Field& field) {
+    return std::count_if(field.upper.begin(), field.upper.end(), [](double x) { return x < 1.2; });
+  };
+  EXPECT_GT(failing(finely), 0);
+  EXPECT_GE(failing(with_limit), failing(finely));
 }
 
 TEST_F(ExactThickness, it_moves_with_the_part_and_does_not_depend_on_the_threads) {
