@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "checks/clear_cells.h"
 #include "tests/checks/wall_fields.h"
 #include "tests/step_shapes.h"
 
@@ -85,21 +86,23 @@ TEST_F(ExactThickness, a_narrow_groove_in_a_plate_that_is_clear_of_the_limit_is_
   EXPECT_GE(*std::min_element(field.lower.begin(), field.lower.end()), 1.2);
 }
 
-// The chamfer of the hole turns away from the side wall by 115 to 125 degrees within one facet: the facets'
-// normals do not count, those of the cone do in part.
-TEST_F(ExactThickness, a_cell_is_not_clear_where_normals_count_within_a_facet_only) {
-  const TopoDS_Shape chamfer = step_shapes::moved(step_shapes::turned(step_shapes::cone(3, 3), 180), 0, 0, 6);
-  const TopoDS_Shape part =
-      step_shapes::minus(step_shapes::moved(step_shapes::box(12.4, 24, 6), -9, -12, 0), chamfer);
-  LoadOptions coarse;
-  coarse.sag = 0.2;
-  const Model model = loaded(step(part), coarse);
-  const Field with_limit = walls_of(model, 1.2), finely = walls_of(model, 0);
-  const auto failing = [](const Field& field) {
-    return std::count_if(field.upper.begin(), field.upper.end(), [](double x) { return x < 1.2; });
-  };
-  EXPECT_GT(failing(finely), 0);
-  EXPECT_GE(failing(with_limit), failing(finely));
+// The slanted side turns away from the bottom by 118 degrees: it does not count, but a surface behind such a
+// facet may.
+TEST_F(ExactThickness, a_cell_is_clear_only_when_no_normal_within_its_error_counts) {
+  const double height = 40 * std::tan(62 * std::numbers::pi / 180);
+  const Model model = loaded(step(step_shapes::prism({{0, 0}, {40, 0}, {40, height}}, 500)));
+  const Scene scene(model, Device::cpu(1));
+  const ContactSurface& surface = scene.surface({.side = Side::inside, .crease = 0.7, .sag = *model.sag});
+  CellQuery query;
+  query.point = {4, 0, 250}, query.direction = query.across = {0, 1, 0}, query.spacing = 1;
+  while (facet_normal(model.mesh, query.facet).y > -0.99) ++query.facet;
+  const BallOptions balls;
+  for (const double error : {0.0, 0.1}) {
+    std::vector<CellAnswer> answer(1);
+    with_clear_cells(ball_probe(surface, balls), surface, balls,
+                     {.limit = 8, .step = 0.5, .normal_error = error})({&query, 1}, answer);
+    EXPECT_EQ(answer[0].clear, error == 0) << "read " << answer[0].value;
+  }
 }
 
 TEST_F(ExactThickness, it_moves_with_the_part_and_does_not_depend_on_the_threads) {
