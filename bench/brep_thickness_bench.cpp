@@ -84,6 +84,20 @@ std::pair<std::size_t, std::size_t> beaten(const Model& model, const std::vector
   return {count, looked_at};
 }
 
+// How many of all lie in each power of ten.
+std::string spread(const std::vector<double>& of) {
+  std::string text;
+  for (int power = -16; power <= -6; power += 2) {
+    const double low = power == -16 ? 0 : std::pow(10, power),
+                 high = power == -6 ? 1e300 : std::pow(10, power + 2);
+    const auto count = std::count_if(of.begin(), of.end(), [&](double x) { return x >= low && x < high; });
+    const std::string range = power == -6 ? "from 1e-6" : fmt::format("under 1e{}", power + 2);
+    text += fmt::format(" {} {:.2f} %,", range,
+                        100 * static_cast<double>(count) / static_cast<double>(of.size()));
+  }
+  return text;
+}
+
 double quantile(std::vector<double> of, double share) {
   if (of.empty()) return 0;
   std::sort(of.begin(), of.end());
@@ -91,8 +105,36 @@ double quantile(std::vector<double> of, double share) {
 }
 
 template <class T>
-double kilobytes(const std::vector<T>& of) {
-  return static_cast<double>(of.size() * sizeof(T)) / 1024;
+std::size_t bytes(const std::vector<T>& of) {
+  return of.size() * sizeof(T);
+}
+
+// Whatever the number of queries.
+struct BytesByPart {
+  std::size_t tree, pieces, patches, trimming;
+
+  BytesByPart(const ExactSurface& exact, const Brep& brep)
+      : tree(exact.tree.bytes()),
+        pieces(exact.bytes() - exact.tree.bytes()),
+        patches(bytes(brep.surfaces) + bytes(brep.curves) + bytes(brep.poles) + bytes(brep.knots)),
+        trimming(bytes(brep.trims) + bytes(brep.trim_pieces) + bytes(brep.trim_bins) +
+                 bytes(brep.trim_listing)) {}
+};
+
+void print_memory(const ExactSurface& exact, const Brep& brep) {
+  const BytesByPart b(exact, brep);
+  const auto row = [](const std::string& part, std::size_t patches, std::size_t curves, double tree,
+                      double surfaces, double trimming) {
+    fmt::print("  | {:28} | {:7} | {:6} | {:6.2f} | {:8.2f} | {:8.2f} |\n", part, patches, curves, tree,
+               surfaces, trimming);
+  };
+  constexpr double mega = 1024 * 1024;
+  fmt::print("  | memory, MB                   | patches | curves |   tree | surfaces | trimming |\n");
+  row("here", brep.surfaces.size(), brep.trim_pieces.size(), static_cast<double>(b.tree + b.pieces) / mega,
+      static_cast<double>(b.patches) / mega, static_cast<double>(b.trimming) / mega);
+  row("Lemasson et al., Lens", 88581, 27793, 12.94, 23.50, 1.45);
+  row("Lemasson et al., Mask", 27188, 12793, 5.38, 9.69, 0.69);
+  row("Lemasson et al., Mask1", 12793, 4586, 0.43, 0.82, 0.25);
 }
 
 void report(const std::string& name, const Model& model) {
@@ -104,10 +146,10 @@ void report(const std::string& name, const Model& model) {
              model.mesh.facet_count(), *model.sag);
   std::vector<ExactWall> found;
   std::vector<FacetPlace> places;
-  for (const std::size_t count : {1000, 10'000, 50'000}) {
+  for (const std::size_t count : {1000, 10'000, 100'000, 1'000'000}) {
     places = places_on(model.mesh, surface, count);
     const double time = seconds_of([&] { found = walls.measure(places); });
-    fmt::print("  {:6} places: {:5.1f} us a query, {:.0f} queries/s\n", places.size(),
+    fmt::print("  {:7} places: {:5.1f} us a query, {:.0f} queries/s\n", places.size(),
                1e6 * time / static_cast<double>(places.size()), static_cast<double>(places.size()) / time);
   }
   std::array<std::size_t, 6> kinds{};
@@ -129,21 +171,14 @@ void report(const std::string& name, const Model& model) {
                100 * static_cast<double>(kinds[k]) / n);
   fmt::print(" {:.1f} starts and {:.1f} steps a query, {:.3f} % not verified\n", starts / n, steps / n,
              100 * static_cast<double>(unverified) / n);
-  fmt::print("  residual, mm: faces median {:.1e}, 99 % {:.1e}; edges median {:.1e}, 99 % {:.1e}\n",
-             quantile(on_faces, 0.5), quantile(on_faces, 0.99), quantile(on_edges, 0.5),
-             quantile(on_edges, 0.99));
+  fmt::print("  residual, mm: faces median {:.1e}, 99 % {:.1e}:{}\n", quantile(on_faces, 0.5),
+             quantile(on_faces, 0.99), spread(on_faces));
+  fmt::print("                edges median {:.1e}, 99 % {:.1e}:{}\n", quantile(on_edges, 0.5),
+             quantile(on_edges, 0.99), spread(on_edges));
   const ExactSurface& exact = scene.exact_surface(Side::inside);
-  const auto [lost, looked_at] = beaten(model, places, found, 1e-6 * surface.size, 50);
+  const auto [lost, looked_at] = beaten(model, places, found, 1e-6 * surface.size, places.size() / 1000);
   fmt::print("  beaten by a point of the boundary by more than 1e-4: {} of {}\n", lost, looked_at);
-  fmt::print(
-      "  memory, kB: tree of facets and edges {:.0f}, pieces of the edges {:.0f}, surfaces and curves "
-      "{:.0f}, "
-      "trimming {:.0f}\n",
-      static_cast<double>(exact.tree.bytes()) / 1024,
-      kilobytes(exact.pieces) + kilobytes(exact.corners) + kilobytes(exact.directions),
-      kilobytes(brep.surfaces) + kilobytes(brep.curves) + kilobytes(brep.poles) + kilobytes(brep.knots),
-      kilobytes(brep.trims) + kilobytes(brep.trim_pieces) + kilobytes(brep.trim_bins) +
-          kilobytes(brep.trim_listing));
+  print_memory(exact, brep);
 }
 
 // The mesh method at the middle of each facet, against the exact surfaces there.
