@@ -9,6 +9,7 @@
 #include "gpu/tangent_ball.h"
 #include "model/brep_foot_closed.h"
 #include "model/brep_foot_rim.h"
+#include "model/brep_pole.h"
 
 namespace gabarit {
 
@@ -205,20 +206,6 @@ class ExactBallSearch {
   }
   GABARIT_HD static double dot(const Vec3d& a, const Vec3d& b) { return gabarit::dot(a, b); }
 
-  GABARIT_HD static Parameters parameters_of(const FacetOrigin& origin, const Vec3d& q, const Vec3d& a,
-                                             const Vec3d& b, const Vec3d& c) {
-    const Vec3d u = b - a, v = c - a, w = q - a;
-    const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
-    const double area = uu * vv - uv * uv;
-    double s = area > 0 ? (vv * uw - uv * vw) / area : 1 / 3.0;
-    double t = area > 0 ? (uu * vw - uv * uw) / area : 1 / 3.0;
-    s = s > 0 ? (s < 1 ? s : 1.0) : 0.0;
-    t = t > 0 ? (s + t < 1 ? t : 1 - s) : 0.0;
-    // A little inside: at a pole the surface has no normal.
-    s += 1e-3 * (1 / 3.0 - s), t += 1e-3 * (1 / 3.0 - t);
-    return parameters_at(origin, 1 - s - t, s, t);
-  }
-
   // Whether the way to the foot led from what counts to what does not.
   GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
     if (best_.starts >= most_starts) return leave_unexplained(bound), false;
@@ -226,7 +213,7 @@ class ExactBallSearch {
     const FaceFoot foot = descent.run(from);
     ++best_.starts, best_.steps += foot.iterations;
     if (foot.above) return false;
-    if (!foot.found && singular(face, foot.surface)) return keep_pole(face, foot), false;
+    if (!foot.found && is_pole(view_.brep.faces[face], foot.surface)) return keep_pole(face, foot), false;
     const bool counts_there = counts(face, foot.surface);
     if (foot.found && counts_there) known_feet_.add(face, foot.at);
     if (counts_there) keep_face(face, foot, BallContact::face);
@@ -258,36 +245,16 @@ class ExactBallSearch {
     return angle_ > turn && dot(p.normal, pencil_.direction) < std::cos(angle_ - turn);
   }
 
-  // Where one parameter means nothing: an apex, a pole.
-  GABARIT_HD bool singular(FaceId face, const SurfacePoint& s) const {
-    const ParameterBox& r = view_.brep.faces[face].range;
-    const double u = squared_length(s.du) * (r.u1 - r.u0) * (r.u1 - r.u0);
-    const double v = squared_length(s.dv) * (r.v1 - r.v0) * (r.v1 - r.v0);
-    return u < 1e-8 * v || v < 1e-8 * u;
-  }
-
   // The tip of a face counts when its normal does anywhere beside it.
   GABARIT_HD void keep_pole(FaceId face, const FaceFoot& foot) {
     if (!(foot.radius < reach_)) return;
-    const Face& f = view_.brep.faces[face];
-    const ParameterBox& r = f.range;
-    const bool in_u = squared_length(foot.surface.du) * (r.u1 - r.u0) * (r.u1 - r.u0) <
-                      squared_length(foot.surface.dv) * (r.v1 - r.v0) * (r.v1 - r.v0);
-    constexpr int places = 64;
-    for (int i = -1; i <= places; ++i) {
-      const double share = static_cast<double>(i) / places;
-      Parameters at = foot.at;
-      (in_u ? at.v : at.u) += 1e-4 * (in_u ? (r.v0 + r.v1) / 2 - at.v : (r.u0 + r.u1) / 2 - at.u);
-      if (i >= 0) (in_u ? at.u : at.v) = in_u ? r.u0 + share * (r.u1 - r.u0) : r.v0 + share * (r.v1 - r.v0);
-      const Vec3d n = outward_normal_at(view_.brep, f, face_point(view_.brep, f, at));
-      if (dot(n, axis_) < least_facing_ - facing_slack ||
-          trim_side(view_.brep, face, at) == TrimSide::outside)
-        continue;
-      FaceFoot tip = foot;
-      tip.at = at;
-      tip.residual = 0;
-      return keep_face(face, tip, BallContact::vertex);
-    }
+    FaceFoot tip = foot;
+    const auto counts_at = [&](Parameters at) {
+      const SurfacePoint s = face_point(view_.brep, view_.brep.faces[face], at);
+      return counts(face, s) && trim_side(view_.brep, face, at) == TrimSide::inside;
+    };
+    if (beside_pole(view_.brep.faces[face], foot, counts_at, tip.at))
+      keep_face(face, tip, BallContact::vertex);
   }
 
   GABARIT_HD void keep_face(FaceId face, const FaceFoot& foot, BallContact kind) {
