@@ -16,7 +16,8 @@
 
 #include "checks/exact_probe.h"
 #include "gpu/maximal_sphere.h"
-#include "model/brep_tangent_ball.h"
+#include "gpu/tangent_ball.h"
+#include "model/brep_foot.h"
 #include "model/load.h"
 #include "tests/dense_boundary.h"
 #include "tests/step_shapes.h"
@@ -77,10 +78,24 @@ std::pair<std::size_t, std::size_t> beaten(const Model& model, const std::vector
     const Vec3d d = -outward_normal(s, face.sign);
     count += std::any_of(boundary.begin(), boundary.end(), [&](const BoundaryPoint& b) {
       return dot(b.normal, d) >= -std::cos(separation) && length(b.p - s.p) > floor &&
-             2 * ball_radius(b.p - s.p, d) < walls[i].value * (1 - 1e-4);
+             2 * ball_through_point(d, b.p - s.p).radius < walls[i].value * (1 - 1e-4);
     });
   }
   return {count, looked_at};
+}
+
+// How many of all lie in each power of ten.
+std::string spread(const std::vector<double>& of) {
+  std::string text;
+  for (int power = -16; power <= -6; power += 2) {
+    const double low = power == -16 ? 0 : std::pow(10, power),
+                 high = power == -6 ? 1e300 : std::pow(10, power + 2);
+    const auto count = std::count_if(of.begin(), of.end(), [&](double x) { return x >= low && x < high; });
+    const std::string range = power == -6 ? "from 1e-6" : fmt::format("under 1e{}", power + 2);
+    text += fmt::format(" {} {:.2f} %,", range,
+                        100 * static_cast<double>(count) / static_cast<double>(of.size()));
+  }
+  return text;
 }
 
 double quantile(std::vector<double> of, double share) {
@@ -90,8 +105,36 @@ double quantile(std::vector<double> of, double share) {
 }
 
 template <class T>
-double kilobytes(const std::vector<T>& of) {
-  return static_cast<double>(of.size() * sizeof(T)) / 1024;
+std::size_t bytes(const std::vector<T>& of) {
+  return of.size() * sizeof(T);
+}
+
+// Whatever the number of queries.
+struct BytesByPart {
+  std::size_t tree, pieces, patches, trimming;
+
+  BytesByPart(const ExactSurface& exact, const Brep& brep)
+      : tree(exact.tree.bytes()),
+        pieces(exact.bytes() - exact.tree.bytes()),
+        patches(bytes(brep.surfaces) + bytes(brep.curves) + bytes(brep.poles) + bytes(brep.knots)),
+        trimming(bytes(brep.trims) + bytes(brep.trim_pieces) + bytes(brep.trim_bins) +
+                 bytes(brep.trim_listing)) {}
+};
+
+void print_memory(const ExactSurface& exact, const Brep& brep) {
+  const BytesByPart b(exact, brep);
+  const auto row = [](const std::string& part, std::size_t patches, std::size_t curves, double tree,
+                      double surfaces, double trimming) {
+    fmt::print("  | {:28} | {:7} | {:6} | {:6.2f} | {:8.2f} | {:8.2f} |\n", part, patches, curves, tree,
+               surfaces, trimming);
+  };
+  constexpr double mega = 1024 * 1024;
+  fmt::print("  | memory, MB                   | patches | curves |   tree | surfaces | trimming |\n");
+  row("here", brep.surfaces.size(), brep.trim_pieces.size(), static_cast<double>(b.tree + b.pieces) / mega,
+      static_cast<double>(b.patches) / mega, static_cast<double>(b.trimming) / mega);
+  row("Lemasson et al., Lens", 88581, 27793, 12.94, 23.50, 1.45);
+  row("Lemasson et al., Mask", 27188, 12793, 5.38, 9.69, 0.69);
+  row("Lemasson et al., Mask1", 12793, 4586, 0.43, 0.82, 0.25);
 }
 
 void report(const std::string& name, const Model& model) {
@@ -103,14 +146,15 @@ void report(const std::string& name, const Model& model) {
              model.mesh.facet_count(), *model.sag);
   std::vector<ExactWall> found;
   std::vector<FacetPlace> places;
-  for (const std::size_t count : {1000, 10'000, 50'000}) {
+  for (const std::size_t count : {1000, 10'000, 100'000, 1'000'000}) {
     places = places_on(model.mesh, surface, count);
     const double time = seconds_of([&] { found = walls.measure(places); });
-    fmt::print("  {:6} places: {:5.1f} us a query, {:.0f} queries/s\n", places.size(),
+    fmt::print("  {:7} places: {:5.1f} us a query, {:.0f} queries/s\n", places.size(),
                1e6 * time / static_cast<double>(places.size()), static_cast<double>(places.size()) / time);
   }
   std::array<std::size_t, 6> kinds{};
-  std::size_t measured = 0, unverified = 0, steps = 0, starts = 0;
+  std::size_t measured = 0, unverified = 0;
+  double steps = 0, starts = 0;
   std::vector<double> on_faces, on_edges;
   for (const ExactWall& w : found) {
     if (!w.measured) continue;
@@ -125,22 +169,16 @@ void report(const std::string& name, const Model& model) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
     fmt::print(" {} {:.2f} %,", gabarit::name(static_cast<BallContact>(k)),
                100 * static_cast<double>(kinds[k]) / n);
-  fmt::print(" {:.1f} starts and {:.1f} steps a query, {:.3f} % not verified\n",
-             static_cast<double>(starts) / n, static_cast<double>(steps) / n,
+  fmt::print(" {:.1f} starts and {:.1f} steps a query, {:.3f} % not verified\n", starts / n, steps / n,
              100 * static_cast<double>(unverified) / n);
-  fmt::print("  residual, mm: faces median {:.1e}, 99 % {:.1e}; edges median {:.1e}, 99 % {:.1e}\n",
-             quantile(on_faces, 0.5), quantile(on_faces, 0.99), quantile(on_edges, 0.5),
-             quantile(on_edges, 0.99));
-  const auto [lost, looked_at] = beaten(model, places, found, 1e-6 * surface.size, 50);
+  fmt::print("  residual, mm: faces median {:.1e}, 99 % {:.1e}:{}\n", quantile(on_faces, 0.5),
+             quantile(on_faces, 0.99), spread(on_faces));
+  fmt::print("                edges median {:.1e}, 99 % {:.1e}:{}\n", quantile(on_edges, 0.5),
+             quantile(on_edges, 0.99), spread(on_edges));
+  const ExactSurface& exact = scene.exact_surface(Side::inside);
+  const auto [lost, looked_at] = beaten(model, places, found, 1e-6 * surface.size, places.size() / 1000);
   fmt::print("  beaten by a point of the boundary by more than 1e-4: {} of {}\n", lost, looked_at);
-  fmt::print(
-      "  memory, kB: tree of the facets {:.0f}, chords of the edges {:.0f}, surfaces and curves {:.0f}, "
-      "trimming {:.0f}\n",
-      static_cast<double>(surface.tree.bytes()) / 1024,
-      static_cast<double>(scene.edges().tree.bytes()) / 1024 + kilobytes(scene.edges().chords),
-      kilobytes(brep.surfaces) + kilobytes(brep.curves) + kilobytes(brep.poles) + kilobytes(brep.knots),
-      kilobytes(brep.trims) + kilobytes(brep.trim_pieces) + kilobytes(brep.trim_bins) +
-          kilobytes(brep.trim_listing));
+  print_memory(exact, brep);
 }
 
 // The mesh method at the middle of each facet, against the exact surfaces there.

@@ -1,7 +1,10 @@
 #include "checks/exact_ball.h"
 
+#include <algorithm>
+
 #include "checks/exact_ball_search.h"
 #include "gpu/parallel_for.h"
+#include "gpu/traverse.h"
 
 namespace gabarit {
 namespace {
@@ -10,19 +13,19 @@ namespace {
 struct ExactBallRuns {
   static constexpr std::int64_t length = 32;
 
-  const ExactBallScene& scene;
-  const ExactBallOptions& options;
-  std::span<const ExactBallQuery> queries;
-  std::span<ExactBall> balls;
+  ExactView view;
+  ExactBallOptions options;
+  View<const ExactBallQuery> queries;
+  View<ExactBall> balls;
 
-  void operator()(std::int64_t run) const {
-    const auto begin = static_cast<std::size_t>(run * length);
-    const std::size_t end = std::min(begin + static_cast<std::size_t>(length), queries.size());
-    for (std::size_t i = begin; i < end; ++i) {
-      ExactBallSearch search(scene, options, queries[i]);
-      if (i > begin) search.warm_up(balls[i - 1]);
-      search.run();
-      balls[i] = search.ball;
+  GABARIT_HD void operator()(std::int64_t run) const {
+    const std::int64_t first = run * length;
+    const std::int64_t end = first + length < queries.size ? first + length : queries.size;
+    for (std::int64_t i = first; i < end; ++i) {
+      ExactBallSearch search(view, options, queries[i]);
+      if (i > first) search.begin_at(balls[i - 1]);
+      traverse(view.tree, search);
+      balls[i] = search.result();
     }
   }
 };
@@ -41,14 +44,14 @@ const char* name(BallContact kind) {
   return "nothing";
 }
 
-void exact_balls(const Device& device, const ExactBallScene& scene, const ExactBallOptions& options,
+void exact_balls(const Device& device, const ExactSurface& surface, const ExactBallOptions& options,
                  std::span<const ExactBallQuery> queries, std::span<ExactBall> balls) {
   ExactBallOptions bounded = options;
-  bounded.greatest_radius =
-      std::min(options.greatest_radius, 4.0 * static_cast<double>(scene.facets.reach) + 1e-30);
+  bounded.greatest_radius = std::min(options.greatest_radius, 4 * surface.size + 1e-30);
   const auto runs =
       (static_cast<std::int64_t>(queries.size()) + ExactBallRuns::length - 1) / ExactBallRuns::length;
-  parallel_for_cpu(device, runs, ExactBallRuns{scene, bounded, queries, balls}, 4);
+  const ExactBallRuns kernel{surface.view(), bounded, view(queries), view(balls)};
+  parallel_for_cpu(device, runs, kernel, 4);
 }
 
 }  // namespace gabarit

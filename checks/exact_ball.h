@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "checks/edge_chords.h"
+#include "checks/exact_surface.h"
 #include "gpu/device.h"
 
 namespace gabarit {
@@ -18,20 +18,18 @@ enum class BallContact : std::uint8_t {
   edge,        // on an edge: of a face that is a contact, or a reflex one
   vertex,      // at an edge's end
   curvature,   // the surface at the point itself, without a separation angle only
-  separation,  // on a face where its normal turns away by just the separation angle: nearly the least value
+  separation,  // on a face where its normal turns away by just the separation angle
 };
 const char* name(BallContact kind);
 
 struct ExactBallQuery {
-  Vec3d point;      // on the surface
-  Vec3d direction;  // unit, across it, towards the centre of the ball
-  FacetId facet = 0;
+  Vec3d point;               // on the surface
+  Vec3d direction;           // unit, across it, towards the centre of the ball
   double own_curvature = 0;  // 1/mm, the greatest that the ball sees at the point
 };
 
 struct ExactBallOptions {
   double cos_separation = 1;
-  double sign = 1;  // 1: outward normals point away from the ball's side; -1: the ball is outside
   double greatest_radius = std::numeric_limits<double>::infinity();
   double contact_floor = 0;  // contacts this close to the point are not contacts, mm
 };
@@ -42,28 +40,19 @@ struct ExactBall {
   BallContact kind = BallContact::none;
   FaceId face = no_number;  // of the contact; of an edge the first of its faces
   EdgeId edge = no_number;
-  Parameters at;            // on the face; on an edge u is the curve's t
-  double tolerance = 0;     // mm, of the face or edge of the contact
-  double residual = 0;      // mm, see BallFoot
-  std::uint16_t steps = 0;  // of Newton's method, for all starts together
-  std::uint16_t starts = 0;
-  bool verified = false;  // no facet and no chord that comes within its sag of the ball is left to be tried
-};
-
-// What queries need, on a CPU: `facets` is the tree of the tessellation with facets as primitives.
-struct ExactBallScene {
-  BrepView brep;
-  BvhView facets;
-  View<const FacetOrigin> origins;
-  View<const float> leans;  // by facet, see facet_leans
-  double widest_lean = 0;
-  BvhView edges;
-  View<const EdgeChord> chords;
+  Parameters at;                    // on the face
+  std::uint32_t piece = no_number;  // of the edge
+  double t = 0;                     // on the edge
+  double tolerance = 0;             // mm, of the face or edge of the contact
+  double residual = 0;              // mm, see FaceFoot
+  int steps = 0;                    // of Newton's method, for all starts together
+  int starts = 0;
+  bool verified = false;  // nothing that the facets and their sag let come nearer was left unsettled
 };
 
 // Answers in the order of the queries; neighbouring queries should lie close together. The same on any number
 // of threads.
-void exact_balls(const Device& device, const ExactBallScene& scene, const ExactBallOptions& options,
+void exact_balls(const Device& device, const ExactSurface& surface, const ExactBallOptions& options,
                  std::span<const ExactBallQuery> queries, std::span<ExactBall> balls);
 
 }  // namespace gabarit

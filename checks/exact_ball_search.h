@@ -1,292 +1,350 @@
-// One exact ball: starts from facets and chords in turn until none is left that could make it smaller.
+// The search for the largest ball on one side of the exact surfaces that touches them at a point. One
+// best-first walk of the tree; whatever could be nearer than the best contact so far, as the facets and their
+// distance from the surface tell, is looked at on the surface itself.
 #pragma once
 
-#include "checks/ball_starts.h"
+#include "checks/edge_contact.h"
 #include "checks/exact_ball.h"
-#include "checks/separation_line.h"
+#include "gpu/sphere_culling.h"
+#include "gpu/tangent_ball.h"
+#include "model/brep_foot_closed.h"
+#include "model/brep_foot_rim.h"
+#include "model/brep_pole.h"
 
 namespace gabarit {
 
-GABARIT_HD inline double angle_of(double cosine) {
-  return std::acos(cosine < -1 ? -1.0 : cosine > 1 ? 1.0 : cosine);
-}
-
-struct FaceOfFacet {
-  static constexpr bool of_facets = true;
-  View<const FacetOrigin> origins;
-  View<const float> leans;
-  double greatest_angle;  // between a contact's normal and the direction
-
-  GABARIT_HD FaceId operator()(std::uint32_t id) const { return origins[id].face; }
-  // Some of the surface behind the facet turns away far enough; on a face that was tried, all of it must:
-  // what lies on the line between was looked at.
-  GABARIT_HD bool counts(const Primitive& p, const Vec3d& direction, const TriedStarts& tried) const {
-    const double facing = static_cast<double>(p.normal.x) * direction.x +
-                          static_cast<double>(p.normal.y) * direction.y +
-                          static_cast<double>(p.normal.z) * direction.z;
-    const double angle = angle_of(facing);
-    const double lean = static_cast<double>(leans[p.id]) + 1e-6;
-    return angle - lean <= greatest_angle &&
-           (angle + lean <= greatest_angle || !tried.has_group((*this)(p.id)));
-  }
-};
-struct EdgeOfChord {
-  static constexpr bool of_facets = false;
-  View<const EdgeChord> chords;
-  View<const Edge> edges;
-  double sign, greatest_angle;
-
-  GABARIT_HD EdgeId operator()(std::uint32_t id) const { return chords[id].edge; }
-  GABARIT_HD bool reflex(const Edge& edge) const {
-    return edge.kind == EdgeKind::mixed || edge.kind == (sign > 0 ? EdgeKind::concave : EdgeKind::convex);
-  }
-  // One of the faces may turn away far enough; or the edge is reflex and the ball comes from between them.
-  GABARIT_HD bool counts(const Primitive& p, const Vec3d& direction, const TangentBall& ball) const {
-    const EdgeChord& chord = chords[p.id];
-    const double lean = chord.lean * 1.5 + 1e-6;
-    for (const Vec3d& n : chord.normal)
-      if (n != Vec3d{} && angle_of(sign * dot(n, direction)) - lean <= greatest_angle) return true;
-    if (!reflex(edges[chord.edge])) return false;
-    const Vec3d outward = (ball.contact - ball.radius * direction) / ball.radius;
-    if (angle_of(dot(outward, direction)) - 0.1 > greatest_angle) return false;
-    const double bend = angle_of(dot(chord.normal[0], chord.normal[1]));
-    return angle_of(sign * dot(outward, chord.normal[0])) + angle_of(sign * dot(outward, chord.normal[1])) <=
-           bend + 2 * lean + 0.3;
-  }
-};
-
 class ExactBallSearch {
  public:
-  GABARIT_HD ExactBallSearch(const ExactBallScene& scene, const ExactBallOptions& options,
+  GABARIT_HD ExactBallSearch(const ExactView& view, const ExactBallOptions& options,
                              const ExactBallQuery& query)
-      : scene_(scene), options_(options), query_(query), bound_(options.greatest_radius) {
-    if (options.cos_separation >= 1 && query.own_curvature > 0 && 1 / query.own_curvature < bound_) {
-      bound_ = ball.radius = 1 / query.own_curvature;
-      ball.kind = BallContact::curvature, ball.contact = query.point;
-      ball.face = scene.origins[query.facet].face, ball.verified = true;
-    }
+      : view_(view),
+        options_(options),
+        pencil_{query.point, query.direction},
+        axis_(query.direction * view.side),
+        least_facing_(-options.cos_separation),
+        angle_(std::acos(least_facing_ < -1 ? -1.0 : least_facing_)),
+        culling_(view.tree, loosened(options, angle_ + view.normal_error), query.point, query.direction) {
+    const double loose = angle_ + view.normal_error + 1e-6;
+    loose_facing_ = loose < pi ? std::cos(loose) : -1;
+    set_reach(options.greatest_radius);
+    if (least_facing_ <= -1 + 1e-12 && query.own_curvature > 0) curve_in(query);
   }
 
-  // From where a neighbouring query found its contact.
-  GABARIT_HD void warm_up(const ExactBall& neighbour) {
-    if (neighbour.kind == BallContact::face) try_face(neighbour.face, neighbour.at);
+  GABARIT_HD float limit() const { return culling_.probe(); }
+  template <class Boxes>
+  GABARIT_HD void within(const Boxes& boxes, EightFloats& lower) const {
+    culling_.within(boxes, lower);
+  }
+  GABARIT_HD void visit(const Primitive& p) {
+    if (p.id < view_.facets.size)
+      visit_facet(p);
+    else if (p.corner[0] == p.corner[1])
+      visit_corner(view_.corners[p.corner[2] - view_.pieces.size]);
+    else
+      visit_piece(p);
   }
 
-  GABARIT_HD void run() {
-    TriedStarts facets, chords;
-    // A way down that leaves a face ends on its edges: they are looked at before more of its facets.
-    bool more = true;
-    while (more && !facets.full() && !chords.full()) {
-      bool settled = false;
-      more = next_facet(facets, settled);
-      if (!more || !settled) more = next_chord(chords) || more;
-    }
-    ball.verified = !more;
+  // Starts from what was nearest to a neighbouring point.
+  GABARIT_HD void begin_at(const ExactBall& contact) {
+    const bool on_face = contact.kind == BallContact::face || contact.kind == BallContact::separation;
+    const Known known = on_face ? solve(contact.face) : Known::all;
+    if (on_face && known == Known::all) return;
+    if (contact.kind == BallContact::face && known == Known::nothing)
+      try_face(contact.face, contact.at, infinite);
+    else if (contact.kind == BallContact::separation)
+      try_rim(contact.face, contact.at, infinite);
+    else if (contact.piece != no_number)
+      try_piece(contact.piece, contact.t, false);
   }
 
-  ExactBall ball;
+  GABARIT_HD ExactBall result() const {
+    ExactBall ball = best_;
+    ball.verified = !(unexplained_ < reach_);
+    return ball;
+  }
 
  private:
-  // Between a contact's normal and the direction.
-  GABARIT_HD double greatest_angle() const { return angle_of(-options_.cos_separation); }
-  GABARIT_HD bool eligible(const Vec3d& normal) const {
-    return dot(normal, query_.direction) >= -options_.cos_separation - 1e-9;
+  static constexpr double pi = 3.14159265358979323846;
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  static constexpr double facing_slack = 1e-6;  // as for meshes
+  static constexpr int most_starts = 2000;
+
+  // `angle`: by which the normals of facets may turn away from the direction.
+  GABARIT_HD static SphereOptions loosened(const ExactBallOptions& options, double angle) {
+    return {angle + 1e-6 < pi ? -std::cos(angle + 1e-6) : 1.0, options.greatest_radius,
+            options.contact_floor};
   }
 
-  GABARIT_HD bool next_facet(TriedStarts& tried, bool& settled) {
-    constexpr double pi = 3.14159265358979323846;
-    const double angle = greatest_angle();
-    SphereOptions slack;
-    slack.cos_separation = angle + scene_.widest_lean < pi ? -std::cos(angle + scene_.widest_lean) : 1;
-    const FaceOfFacet face_of{scene_.origins, scene_.leans, angle};
-    BallStartSearch<FaceOfFacet> search(scene_.facets, slack, query_.point, query_.direction, bound_,
-                                        query_.facet, tried, face_of);
-    traverse(scene_.facets, search);
-    if (search.start.primitive == no_child) return false;
-    const Primitive& p = scene_.facets.primitives[search.start.primitive];
-    const FacetOrigin& origin = scene_.origins[p.id];
-    const Parameters start = eligible_start(origin, parameters_of(p, origin, search.start.contact));
-    settled = faces_away(scene_.brep.faces[origin.face], start) && try_face(origin.face, start);
-    if (try_line_through(origin, start)) settled = true;
-    tried.add(p.id, settled ? origin.face : no_number);
-    return true;
+  GABARIT_HD void curve_in(const ExactBallQuery& query) {
+    ExactBall own;
+    own.radius = 1 / query.own_curvature;
+    own.contact = query.point;
+    own.kind = BallContact::curvature;
+    record(own);
   }
 
-  // Where the line on which the normal turns away just far enough crosses the facet, the way down from the
-  // facet need not cross it: it is followed from here as well.
-  GABARIT_HD bool try_line_through(const FacetOrigin& origin, Parameters start) {
-    bool found = false;
-    for (const Parameters& corner : origin.corners) {
-      if (faces_away(scene_.brep.faces[origin.face], corner)) continue;
-      if (try_separation(origin.face, start, corner)) found = true;
+  GABARIT_HD void set_reach(double reach) {
+    reach_ = reach;
+    culling_.set_radius(reach);
+  }
+
+  GABARIT_HD void record(ExactBall contact) {
+    if (!(contact.radius < reach_)) return;
+    contact.steps = best_.steps, contact.starts = best_.starts;
+    best_ = contact;
+    set_reach(contact.radius);
+  }
+
+  // Something that Newton's method did not settle may be as near as this.
+  GABARIT_HD void leave_unexplained(double bound) {
+    if (bound < unexplained_) unexplained_ = bound;
+  }
+
+  GABARIT_HD bool far_enough(const Vec3d& p, double radius) const {
+    const double least = options_.contact_floor > 1e-3 * radius ? options_.contact_floor : 1e-3 * radius;
+    return squared_length(p - pencil_.point) > least * least;
+  }
+
+  GABARIT_HD void visit_facet(const Primitive& p) {
+    const Vec3d& d = pencil_.direction;
+    if (p.is_facet() && dot(p.normal, d) < loose_facing_) return;
+    const FacetOrigin& origin = view_.facets[p.id];
+    Known known = known_of(origin.face);
+    if (known == Known::all || !can_count(p)) return;
+    // Contacts within e of a facet are those of a ball that is larger by e and starts e further back.
+    const double e = static_cast<double>(view_.facet_sags[p.id]) + 1e-12 * view_.size;
+    const Vec3d back = e * d;
+    const Vec3d a = corner(p.id, 0) - pencil_.point, b = corner(p.id, 1) - pencil_.point,
+                c = corner(p.id, 2) - pencil_.point;
+    const TangentBall ball = ball_through_triangle(d, a + back, b + back, c + back, reach_ + e);
+    const double bound = ball.radius - e;
+    if (!(bound < reach_)) return;
+    if (known == Known::nothing) known = solve(origin.face);
+    if (known == Known::all || (known == Known::feet && !on_rim(p))) return;
+    Parameters from = parameters_of(origin, ball.contact - back, a, b, c);
+    if (!get_ahead(origin, from)) return;
+    const bool crossed = known == Known::nothing && try_face(origin.face, from, bound);
+    if (bound < reach_ && on_rim(p)) try_rim(origin.face, from, crossed ? bound : infinite);
+  }
+
+  GABARIT_HD const Vec3d& corner(std::uint32_t facet, std::size_t i) const {
+    return view_.vertices[view_.facet_corners[facet][i]];
+  }
+
+  // Whether the normal of the surface counts anywhere under the facet.
+  GABARIT_HD bool can_count(const Primitive& p) const {
+    const double turn = static_cast<double>(view_.facet_turns[p.id]) + 1e-6;
+    if (angle_ + turn >= pi) return true;
+    double facing = dot(p.normal, pencil_.direction);
+    if (!p.is_facet()) {
+      const Vec3d a = corner(p.id, 0);
+      const Vec3d n = normalized(cross(corner(p.id, 1) - a, corner(p.id, 2) - a));
+      if (n == Vec3d{}) return true;
+      facing = dot(n, axis_);
     }
-    return found;
+    return facing >= least_facing_ || facing >= std::cos(angle_ + turn);
   }
 
-  // A place on the facet where the surface turns away far enough, if there is one: `start`, or a corner.
-  GABARIT_HD Parameters eligible_start(const FacetOrigin& origin, Parameters start) const {
-    const Face& face = scene_.brep.faces[origin.face];
-    if (faces_away(face, start)) return start;
-    Parameters best = start;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Parameters& corner : origin.corners) {
-      if (!faces_away(face, corner)) continue;
-      const double radius =
-          ball_radius(face_point(scene_.brep, face, corner).p - query_.point, query_.direction);
-      if (radius < least) best = corner, least = radius;
+  // What there is no more to find on a face.
+  enum class Known { nothing, feet, all };
+  GABARIT_HD Known known_of(FaceId face) const {
+    for (int i = solved_count_ - 1; i >= 0; --i)
+      if (solved_[i] == face) return closed_part(face);
+    return Known::nothing;
+  }
+  GABARIT_HD Known closed_part(FaceId id) const {
+    const Face& face = view_.brep.faces[id];
+    const SurfaceKind kind = view_.brep.surfaces[face.surface].kind;
+    if (!has_closed_feet(kind) || !std::isfinite(face.range.v1 - face.range.v0)) return Known::nothing;
+    return has_closed_rim(kind) ? Known::all : Known::feet;
+  }
+
+  // All feet, the rim and the tip of a face of a simple kind at once.
+  GABARIT_HD Known solve(FaceId id) {
+    const Known known = closed_part(id);
+    if (known == Known::nothing) return known;
+    ++best_.starts;
+    const Face& face = view_.brep.faces[id];
+    const Surface& surface = view_.brep.surfaces[face.surface];
+    const ClosedFootSearch search(surface, pencil_, view_.size);
+    ClosedFeet feet, rim;
+    search.add_feet(feet);
+    search.add_rim(face, axis_, least_facing_, rim);
+    for (int i = 0; i < feet.count; ++i) keep_counting(id, feet.at[i], BallContact::face);
+    for (int i = 0; i < rim.count; ++i) keep_counting(id, rim.at[i], BallContact::separation);
+    if (surface.kind == SurfaceKind::cone) try_apex(id);
+    if (solved_count_ < most_solved) solved_[solved_count_++] = id;
+    return known;
+  }
+  GABARIT_HD void keep_counting(FaceId face, Parameters at, BallContact kind) {
+    const FaceFoot foot = known_foot(view_.brep, view_.brep.faces[face], pencil_, at);
+    if (foot.radius < reach_ && counts(face, foot.surface)) keep_face(face, foot, kind);
+  }
+  GABARIT_HD void try_apex(FaceId id) {
+    const Face& face = view_.brep.faces[id];
+    const Surface& cone = view_.brep.surfaces[face.surface];
+    const double apex = apex_of(cone), near = 1e-6 * (face.range.v1 - face.range.v0);
+    if (!(apex > face.range.v0 - near && apex < face.range.v1 + near)) return;
+    keep_pole(id, known_foot(view_.brep, face, pencil_, {AxialVector(cone.axes, axis_).azimuth(), apex}));
+  }
+
+  // A place of the facet that a ball gets to: `at`, else beside a corner; false where all of them lie behind
+  // the pencil's tangent plane.
+  GABARIT_HD bool get_ahead(const FacetOrigin& origin, Parameters& at) const {
+    const Face& face = view_.brep.faces[origin.face];
+    for (int k = 0; k < 4; ++k) {
+      const Parameters p = k == 0 ? at
+                                  : parameters_at(origin, k == 1 ? 0.998 : 0.001, k == 2 ? 0.998 : 0.001,
+                                                  k == 3 ? 0.998 : 0.001);
+      if (ball_of(pencil_, face_point(view_.brep, face, p).p).ahead > 0) return at = p, true;
     }
-    return best;
+    return false;
   }
 
-  GABARIT_HD Parameters parameters_of(const Primitive& p, const FacetOrigin& origin, const Vec3d& q) const {
-    const Vec3d a = scene_.facets.corner(p, 0) - query_.point;
-    const Vec3d ab = scene_.facets.corner(p, 1) - query_.point - a,
-                ac = scene_.facets.corner(p, 2) - query_.point - a, aq = q - a;
-    const Vec3d n = cross(ab, ac);
-    const double area = squared_length(n);
-    const double v = dot(cross(aq, ac), n) / area, w = dot(cross(ab, aq), n) / area;
-    return parameters_at(origin, 1 - v - w, v, w);
+  GABARIT_HD static double dot(const Vec3f& a, const Vec3d& b) {
+    return static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y + static_cast<double>(a.z) * b.z;
+  }
+  GABARIT_HD static double dot(const Vec3d& a, const Vec3d& b) { return gabarit::dot(a, b); }
+
+  // Whether the way to the foot led from what counts to what does not.
+  GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
+    if (best_.starts >= most_starts) return leave_unexplained(bound), false;
+    FaceDescent descent(view_.brep, face, pencil_, reach_, known_feet_);
+    const FaceFoot foot = descent.run(from);
+    ++best_.starts, best_.steps += foot.iterations;
+    if (foot.above) return false;
+    if (!foot.found && is_pole(view_.brep.faces[face], foot.surface)) return keep_pole(face, foot), false;
+    const bool counts_there = counts(face, foot.surface);
+    if (foot.found && counts_there) known_feet_.add(face, foot.at);
+    if (counts_there) keep_face(face, foot, BallContact::face);
+    if ((foot.found || foot.at_end) && counts_there) return false;
+    const bool counted = counts(face, face_point(view_.brep, view_.brep.faces[face], from));
+    if (!foot.found && !foot.at_end && (counted || counts_there)) leave_unexplained(bound);
+    return counted && !counts_there;
   }
 
-  // False when the way down leaves the face: then one start does not speak for the others.
-  GABARIT_HD bool try_face(FaceId id, Parameters start) {
-    const Face& face = scene_.brep.faces[id];
-    const BallFoot foot = foot_on_surface(scene_.brep, face, query_.point, query_.direction, start);
-    count(foot);
-    if (!faces_away(face, foot.at)) return try_separation(id, start, foot.at);
-    if (trim_side(scene_.brep, id, foot.at) != TrimSide::inside) return false;
-    record(foot, BallContact::face, id, no_number, face.tolerance);
-    return true;
+  GABARIT_HD bool counts(FaceId face, const SurfacePoint& s) const {
+    const Vec3d n = outward_normal_at(view_.brep, view_.brep.faces[face], s);
+    return dot(n, axis_) >= least_facing_ - facing_slack;
   }
 
-  GABARIT_HD bool faces_away(const Face& face, Parameters at) const {
-    const SurfacePoint s = face_point(scene_.brep, face, at);
-    return eligible(outward_normal(s, options_.sign * face.sign));
+  // The nearest contact that counts may lie where the normal turns away just far enough: on such facets only.
+  GABARIT_HD void try_rim(FaceId face, Parameters from, double bound) {
+    const RimDescent descent(view_.brep, face, pencil_, axis_, least_facing_, reach_, known_rims_);
+    const RimFoot rim = descent.run(from);
+    best_.steps += rim.iterations;
+    if (rim.found || rim.above) known_rims_.add(face, rim);
+    if (rim.found) return keep_face(face, rim, BallContact::separation);
+    if (!rim.at_end && !rim.above) leave_unexplained(bound);
   }
 
-  // Downhill the normal turns too little at last: the least value lies where it turns just enough. From the
-  // place where the way down crosses that line, along it.
-  GABARIT_HD bool try_separation(FaceId id, Parameters from, Parameters to) {
-    const Face& face = scene_.brep.faces[id];
-    if (!faces_away(face, from)) return false;
-    for (int i = 0; i < 40; ++i) {
-      const Parameters middle{(from.u + to.u) / 2, (from.v + to.v) / 2};
-      (faces_away(face, middle) ? from : to) = middle;
+  // Whether the rim may cross the facet.
+  GABARIT_HD bool on_rim(const Primitive& p) const {
+    if (!p.is_facet()) return true;
+    const double turn = static_cast<double>(view_.facet_turns[p.id]) + 1e-6;
+    return angle_ > turn && dot(p.normal, pencil_.direction) < std::cos(angle_ - turn);
+  }
+
+  // The tip of a face counts when its normal does anywhere beside it.
+  GABARIT_HD void keep_pole(FaceId face, const FaceFoot& foot) {
+    if (!(foot.radius < reach_)) return;
+    FaceFoot tip = foot;
+    const auto counts_at = [&](Parameters at) {
+      const SurfacePoint s = face_point(view_.brep, view_.brep.faces[face], at);
+      return counts(face, s) && trim_side(view_.brep, face, at) == TrimSide::inside;
+    };
+    if (beside_pole(view_.brep.faces[face], foot, counts_at, tip.at))
+      keep_face(face, tip, BallContact::vertex);
+  }
+
+  GABARIT_HD void keep_face(FaceId face, const FaceFoot& foot, BallContact kind) {
+    if (!(foot.radius < reach_) || !far_enough(foot.surface.p, foot.radius)) return;
+    if (trim_side(view_.brep, face, foot.at) == TrimSide::outside) return;
+    ExactBall contact;
+    contact.radius = foot.radius;
+    contact.contact = foot.surface.p;
+    contact.kind = kind;
+    contact.face = face;
+    contact.at = foot.at;
+    contact.residual = foot.residual;
+    contact.tolerance = view_.brep.faces[face].tolerance;
+    record(contact);
+  }
+
+  GABARIT_HD void visit_piece(const Primitive& p) {
+    const Vec3d& d = pencil_.direction;
+    const double e = static_cast<double>(p.sag) + 1e-12 * view_.size;
+    const Vec3d a = view_.tree.corner(p, 0) - pencil_.point + e * d,
+                b = view_.tree.corner(p, 1) - pencil_.point + e * d;
+    double at = 0.5;
+    const TangentBall ball = ball_through_segment(d, a, b, &at);
+    if (!(ball.radius - e < reach_)) return;
+    const EdgePiece& piece = view_.pieces[p.corner[2]];
+    // Only as a reflex edge, and then only ahead of the ball's middle.
+    const double deepest = (dot(d, a) > dot(d, b) ? dot(d, a) : dot(d, b)) + e;
+    const bool too_shallow = deepest < (1 + least_facing_) * (ball.radius - e) * (1 - facing_slack);
+    try_piece(p.corner[2], piece.first + at * (piece.last - piece.first), too_shallow);
+  }
+
+  // `shallow`: it is not reflex for a ball.
+  GABARIT_HD void try_piece(std::uint32_t number, double from, bool shallow) {
+    const EdgeContact contact(view_, pencil_, least_facing_, number);
+    if (!contact.can_face() && (shallow || !contact.can_be_hollow())) return;
+    const CurveFoot foot = contact.nearest(from);
+    best_.steps += foot.iterations;
+    if (!(foot.radius < reach_)) return;
+    if (contact.counts(foot)) return keep_piece(number, foot);
+    // Where a face counts only beside a part of the piece, the end of that part is nearest.
+    for (std::size_t k = 0; k < 4; ++k) {
+      CurveFoot end = foot;
+      if (contact.end_of_side(k / 2, k % 2 == 0, reach_, end)) keep_piece(number, end);
     }
-    const SeparationLine line{
-        scene_.brep, face, options_.sign, query_.point, query_.direction, -options_.cos_separation};
-    BallFoot foot = line.least_from(from);
-    count(foot);
-    if (!faces_away(face, foot.at)) {  // it ran into a pole
-      foot.at = from, foot.contact = face_point(scene_.brep, face, from).p;
-      foot.radius = ball_radius(foot.contact - query_.point, query_.direction);
-    }
-    if (trim_side(scene_.brep, id, foot.at) != TrimSide::inside) return false;
-    record(foot, BallContact::separation, id, no_number, face.tolerance);
-    return true;
   }
 
-  GABARIT_HD bool next_chord(TriedStarts& tried) {
-    const SphereOptions any;
-    const EdgeOfChord edge_of{scene_.chords, scene_.brep.edges, options_.sign, greatest_angle()};
-    BallStartSearch<EdgeOfChord> search(scene_.edges, any, query_.point, query_.direction, bound_, no_child,
-                                        tried, edge_of);
-    traverse(scene_.edges, search);
-    if (search.start.primitive == no_child) return false;
-    const Primitive& p = scene_.edges.primitives[search.start.primitive];
-    const EdgeChord& chord = scene_.chords[p.id];
-    tried.add(p.id, chord.edge);
-    const Vec3d a = scene_.edges.corner(p, 0) - query_.point, b = scene_.edges.corner(p, 1) - query_.point;
-    double part = 0;
-    ball_through_segment(query_.direction, a, b, &part);
-    try_edge(chord, part);
-    return true;
+  GABARIT_HD void keep_piece(std::uint32_t number, const CurveFoot& foot) {
+    const EdgePiece& piece = view_.pieces[number];
+    if (!far_enough(foot.curve.p, foot.radius)) return;
+    ExactBall contact;
+    contact.radius = foot.radius;
+    contact.contact = foot.curve.p;
+    contact.kind = foot.inside ? BallContact::edge : BallContact::vertex;
+    contact.face = piece.beside[0].face;
+    contact.edge = piece.edge;
+    contact.piece = number;
+    contact.t = foot.t;
+    contact.residual = foot.inside ? foot.residual : 0;
+    contact.tolerance = piece.tolerance;
+    record(contact);
   }
 
-  GABARIT_HD void try_edge(const EdgeChord& chord, double part) {
-    const Edge& edge = scene_.brep.edges[chord.edge];
-    const double start = chord.first + part * (chord.last - chord.first);
-    BallFoot foot = foot_on_edge(scene_.brep, edge, query_.point, query_.direction, start);
-    count(foot);
-    if (!(foot.radius < bound_)) return;
-    BallContact kind = BallContact::edge;
-    const double end = 1e-12 * (edge.last - edge.first);
-    if (foot.at.u <= edge.first + end || foot.at.u >= edge.last - end) kind = BallContact::vertex;
-    if (!touches(edge, chord, foot)) {
-      kind = BallContact::separation;
-      foot = last_that_touches(edge, chord, start, foot);
-    }
-    record(foot, kind, edge.faces[0], chord.edge, edge.tolerance);
+  GABARIT_HD void visit_corner(const EdgeCorner& corner) {
+    const PencilBall ball = ball_of(pencil_, corner.point);
+    if (!(ball.radius < reach_) || !far_enough(corner.point, ball.radius)) return;
+    const Vec3d w = ball.arm / ball.radius;
+    if (dot(w, pencil_.direction) < least_facing_ - facing_slack) return;
+    if (view_.side * dot(corner.outward, w) < 0) return;
+    for (std::uint32_t i = 0; i < corner.direction_count; ++i)
+      if (dot(view_.directions[corner.first_direction + i], w) < -1e-6) return;
+    ExactBall contact;
+    contact.radius = ball.radius;
+    contact.contact = corner.point;
+    contact.kind = BallContact::vertex;
+    record(contact);
   }
 
-  GABARIT_HD BallFoot place_on(const Edge& edge, double t) const {
-    BallFoot foot;
-    foot.at = {t, 0}, foot.contact = curve_point(scene_.brep, scene_.brep.curves[edge.curve], t).p;
-    foot.radius = ball_radius(foot.contact - query_.point, query_.direction);
-    return foot;
-  }
-
-  // On the way from the chord down to a foot that does not count; without a radius when nothing there counts.
-  GABARIT_HD BallFoot last_that_touches(const Edge& edge, const EdgeChord& chord, double start,
-                                        const BallFoot& foot) const {
-    BallFoot best;
-    const double places[3] = {start, chord.first, chord.last};
-    for (const double t : places) {
-      const BallFoot here = place_on(edge, t);
-      if (here.radius < best.radius && touches(edge, chord, here)) best = here;
-    }
-    double to = foot.at.u;
-    for (int i = 0; i < 40 && best.radius < std::numeric_limits<double>::infinity(); ++i) {
-      const BallFoot middle = place_on(edge, (best.at.u + to) / 2);
-      if (touches(edge, chord, middle))
-        best = middle;
-      else
-        to = middle.at.u;
-    }
-    return best;
-  }
-
-  // Whether one of the edge's faces counts there or, on a reflex edge, the direction of the ball itself.
-  GABARIT_HD bool touches(const Edge& edge, const EdgeChord& chord, const BallFoot& foot) const {
-    const double part = (foot.at.u - chord.first) / (chord.last - chord.first);
-    Vec3d normal[2];
-    for (std::size_t side = 0; side < 2; ++side) {
-      if (edge.faces[side] == no_number) continue;
-      const Face& face = scene_.brep.faces[edge.faces[side]];
-      const Parameters a = chord.at[side][0], b = chord.at[side][1];
-      const Parameters at = nearest_parameters(scene_.brep, face, foot.contact,
-                                               {a.u + part * (b.u - a.u), a.v + part * (b.v - a.v)});
-      const SurfacePoint s = face_point(scene_.brep, face, at);
-      // Near a pole the search for the parameters can end elsewhere: then nothing is known of the normal.
-      if (length(s.p - foot.contact) > 1e-4 + 2 * edge.tolerance) continue;
-      normal[side] = outward_normal(s, options_.sign * face.sign);
-      if (normal[side] != Vec3d{} && eligible(normal[side])) return true;
-    }
-    if (!EdgeOfChord{{}, {}, options_.sign, 0}.reflex(edge)) return false;
-    const Vec3d outward = (foot.contact - query_.point - foot.radius * query_.direction) / foot.radius;
-    if (!eligible(outward)) return false;
-    // Between the normals of its faces: the surface leaves the ball on both sides.
-    const Vec3d across = cross(normal[0], normal[1]);
-    return dot(cross(normal[0], outward), across) >= -1e-9 && dot(cross(outward, normal[1]), across) >= -1e-9;
-  }
-
-  GABARIT_HD void count(const BallFoot& foot) {
-    ++ball.starts;
-    ball.steps = static_cast<std::uint16_t>(ball.steps + foot.steps);
-  }
-
-  GABARIT_HD void record(const BallFoot& foot, BallContact kind, FaceId face, EdgeId edge, double tolerance) {
-    if (!(foot.radius < bound_)) return;
-    if (!(length(foot.contact - query_.point) > options_.contact_floor)) return;
-    bound_ = ball.radius = foot.radius;
-    ball.contact = foot.contact, ball.at = foot.at, ball.residual = foot.residual;
-    ball.kind = kind, ball.face = face, ball.edge = edge, ball.tolerance = tolerance;
-  }
-
-  const ExactBallScene& scene_;
+  const ExactView& view_;
   const ExactBallOptions& options_;
-  const ExactBallQuery& query_;
-  double bound_;
+  Pencil pencil_;
+  Vec3d axis_;                   // that outward normals are compared with
+  double least_facing_, angle_;  // the cosine and the angle up to which they count
+  SphereCulling<false> culling_;
+  ExactBall best_;
+  double reach_ = 0, loose_facing_ = -1, unexplained_ = infinite;
+  KnownFeet known_feet_;
+  KnownRimFeet known_rims_;
+  static constexpr int most_solved = 16;
+  FaceId solved_[most_solved] = {};
+  int solved_count_ = 0;
 };
 
 }  // namespace gabarit

@@ -3,34 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/brep_curvature.h"
-#include "model/brep_trim.h"
+#include "model/brep_foot.h"
 
 namespace gabarit {
 namespace {
 
 constexpr double floor_share = 1e-6;  // of the model's size: contacts nearer than that are the surface itself
-
-double widest(const std::vector<float>& leans) {
-  return leans.empty() ? 0 : static_cast<double>(*std::max_element(leans.begin(), leans.end()));
-}
-
-// Exact balls are found by the CPU, wherever the tree was built.
-std::shared_ptr<const Bvh> tree_here(const Bvh& tree) {
-  if (tree.device().has_own_memory()) return std::make_shared<const Bvh>(tree.on_host());
-  return {std::shared_ptr<const Bvh>(), &tree};
-}
-
-ExactBallScene ball_scene(const Scene& scene, const Bvh& tree) {
-  const Brep& brep = *scene.model().brep;
-  return {.brep = view(brep),
-          .facets = tree.view(),
-          .origins = view(std::span<const FacetOrigin>(brep.facets)),
-          .leans = view(std::span<const float>(scene.facet_leans())),
-          .widest_lean = widest(scene.facet_leans()),
-          .edges = scene.edges().tree.view(),
-          .chords = view(std::span<const EdgeChord>(scene.edges().chords))};
-}
 
 void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
   if (!wall.measured || answer.absence != Absence::none || !std::isfinite(wall.value)) return;
@@ -48,36 +26,35 @@ void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
 }  // namespace
 
 ExactWalls::ExactWalls(const Scene& scene, const ContactSurface& surface, const ExactWallOptions& options)
-    : scene_(&scene), tree_(tree_here(surface.tree)), balls_(ball_scene(scene, *tree_)), options_(options) {
+    : scene_(&scene), exact_(&scene.exact_surface(options.side)), options_(options) {
   ball_options_ = {.cos_separation = std::cos(options.separation),
-                   .sign = options.side == Side::inside ? 1.0 : -1.0,
                    .greatest_radius = options.greatest / 2,
                    .contact_floor = floor_share * surface.size};
 }
 
 std::vector<ExactWall> ExactWalls::measure(std::span<const FacetPlace> places) const {
   std::vector<ExactWall> walls(places.size());
+  const ExactView view = exact_->view();
   std::vector<ExactBallQuery> queries;
   std::vector<std::size_t> number;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto [v, w] = places[i].weights;
-    const FacetOrigin& origin = balls_.origins[places[i].facet];
-    const Face& face = balls_.brep.faces[origin.face];
-    const SurfacePoint s = face_point(balls_.brep, face, parameters_at(origin, 1 - v - w, v, w));
-    const Vec3d normal = outward_normal(s, face.sign);
+    const FacetOrigin& origin = view.facets[places[i].facet];
+    const Face& face = view.brep.faces[origin.face];
+    const SurfacePoint s = face_point(view.brep, face, parameters_at(origin, 1 - v - w, v, w));
+    const Vec3d normal = outward_normal_at(view.brep, face, s);
     walls[i].at = s.p;
     // Facets hang over the rims of holes, where there is no surface.
     walls[i].measured =
         normal != Vec3d{} &&
-        trim_side(balls_.brep, origin.face, parameters_at(origin, 1 - v - w, v, w)) == TrimSide::inside;
+        trim_side(view.brep, origin.face, parameters_at(origin, 1 - v - w, v, w)) == TrimSide::inside;
     if (!walls[i].measured) continue;
     const PrincipalCurvatures k = principal_curvatures(s, face.sign);
-    queries.push_back({s.p, normal * -ball_options_.sign, places[i].facet,
-                       options_.side == Side::inside ? k.greatest : -k.least});
+    queries.push_back({s.p, normal * -view.side, options_.side == Side::inside ? k.greatest : -k.least});
     number.push_back(i);
   }
   std::vector<ExactBall> balls(queries.size());
-  exact_balls(scene_->device(), balls_, ball_options_, queries, balls);
+  exact_balls(scene_->device(), *exact_, ball_options_, queries, balls);
   for (std::size_t i = 0; i < balls.size(); ++i) {
     ExactWall& wall = walls[number[i]];
     const ExactBall& ball = wall.ball = balls[i];

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
 
 #include "checks/exact_ball.h"
 #include "checks/facet_cells.h"
@@ -46,8 +45,7 @@ class ExactWalls {
 
  private:
   const Scene* scene_;
-  std::shared_ptr<const Bvh> tree_;  // of the surface, in the memory of the CPU
-  ExactBallScene balls_;
+  const ExactSurface* exact_;
   ExactWallOptions options_;
   ExactBallOptions ball_options_;
 };

@@ -44,13 +44,24 @@ std::vector<FacetPlace> neighbours(const Field& field, const std::vector<Descent
   return places;
 }
 
-void start(const Field& field, const ExactWalls& walls, std::vector<Descent>& descents) {
+// Of the place on the facet that is nearest to p.
+Weights weights_of(const TriangleMesh& mesh, FacetId facet, const Vec3d& p) {
+  const auto [a, b, c] = mesh.corners(facet);
+  const Vec3d ab = b - a, ac = c - a, ap = p - a, n = cross(ab, ac);
+  const double area = squared_length(n);
+  return area > 0 ? on_facet(dot(cross(ap, ac), n) / area, dot(cross(ab, ap), n) / area) : Weights{};
+}
+
+// A grid, and the best place so far.
+void start(const Field& field, const TriangleMesh& mesh, const ExactWalls& walls,
+           std::vector<Descent>& descents) {
   std::vector<FacetPlace> places;
   for (const Descent& d : descents) {
+    const FacetId facet = field.facets[d.row];
+    places.push_back({facet, weights_of(mesh, facet, field.at[d.row])});
     for (int i = 0; i <= grid; ++i) {
       for (int j = 0; i + j <= grid; ++j)
-        places.push_back(
-            {field.facets[d.row], {static_cast<double>(i) / grid, static_cast<double>(j) / grid}});
+        places.push_back({facet, {static_cast<double>(i) / grid, static_cast<double>(j) / grid}});
     }
   }
   const std::vector<ExactWall> found = walls.measure(places);
@@ -128,7 +139,7 @@ void refine_least(Field& field, const Scene& scene, const ExactWalls& walls, dou
     descent.size = std::max({length(b - a), length(c - b), length(a - c)});
     descents.push_back(descent);
   }
-  start(field, walls, descents);
+  start(field, scene.mesh(), walls, descents);
   descend(field, walls, descents);
   for (const Descent& d : descents) keep(field, d, limit);
 }

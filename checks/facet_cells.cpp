@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double settled_on_planes = 1e-3, settled_on_curves = 0.05;
 // Cells smaller than this share of the value tell nothing new.
 constexpr double fine_enough = 1.0 / 16;
-constexpr double finer_at_the_limit = 1.0 / 8;
+constexpr double finer_at_the_limit = 1.0 / 8, coarser_where_clear = 8;
 constexpr std::size_t block = 1 << 17;
 constexpr std::size_t most_cuts = 4'000'000;
 
@@ -180,7 +180,8 @@ class CellMeasurement {
   bool is_settled(const Cell& cell, const CellQuery& query, const CellAnswer& answer) {
     const double side = longest_side(cell).second;
     const bool finer = answer.absence != Absence::buried && decides(cell, answer);
-    const double step = finer ? options_.step * finer_at_the_limit : options_.step;
+    const double share = finer ? finer_at_the_limit : answer.clear ? coarser_where_clear : 1.0;
+    const double step = options_.step * share;
     if (field_.absence[cell.row] != Absence::none || side <= step) return true;
     if (!options_.exhaustive && answer.absence != Absence::buried) {
       const double value = field_.value[cell.row];

@@ -35,6 +35,7 @@ struct CellAnswer {
   double greatest = 0;  // over the cell
   Vec3d contact;
   Absence absence = Absence::none;
+  bool clear = false;  // what matters about the cell is known: eight steps are fine enough for it
   std::optional<Vec3d> at =
       std::nullopt;  // where on the surface itself the value holds; without it the cell's point
 };

@@ -3,16 +3,16 @@
 #include <map>
 #include <mutex>
 
+#include "checks/exact_surface.h"
+
 namespace gabarit {
 
 struct Scene::Shared {
   std::once_flag adjacency_built;
   std::unique_ptr<Adjacency> adjacency;
-  std::once_flag edges_built, leans_built;
-  std::unique_ptr<EdgeChords> edges;
-  std::vector<float> leans;
   std::mutex surfaces_guard;
   std::map<SurfaceOptions, ContactSurface> surfaces;  // references stay good while it grows
+  std::map<Side, ExactSurface> exact_surfaces;        // likewise
 };
 
 Scene::Scene(const Model& model, Device device)
@@ -24,16 +24,14 @@ const Adjacency& Scene::adjacency() const {
   return *shared_->adjacency;
 }
 
-const EdgeChords& Scene::edges() const {
-  std::call_once(shared_->edges_built, [this] {
-    shared_->edges = std::make_unique<EdgeChords>(edge_chords(model(), Device::cpu()));
-  });
-  return *shared_->edges;
-}
-
-const std::vector<float>& Scene::facet_leans() const {
-  std::call_once(shared_->leans_built, [this] { shared_->leans = gabarit::facet_leans(model(), device_); });
-  return shared_->leans;
+// Of the CPU: it alone follows exact surfaces.
+const ExactSurface& Scene::exact_surface(Side side) const {
+  const std::lock_guard lock(shared_->surfaces_guard);
+  auto place = shared_->exact_surfaces.find(side);
+  if (place == shared_->exact_surfaces.end())
+    place =
+        shared_->exact_surfaces.emplace(side, gabarit::exact_surface(*model_, side, device_.host())).first;
+  return place->second;
 }
 
 const ContactSurface& Scene::surface(const SurfaceOptions& options) const {

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "checks/contact_surface.h"
-#include "checks/edge_chords.h"
 #include "checks/frame.h"
 #include "checks/interval.h"
 #include "gpu/device.h"
@@ -13,6 +12,8 @@
 #include "model/model.h"
 
 namespace gabarit {
+
+struct ExactSurface;
 
 class Scene {
  public:
@@ -25,9 +26,8 @@ class Scene {
   const Adjacency& adjacency() const;
   // The tree that balls and rays are sent through, by its options; built at the first call, safe likewise.
   const ContactSurface& surface(const SurfaceOptions& options) const;
-  // Of the model's exact surfaces, which it must have; built at the first call, safe likewise.
-  const EdgeChords& edges() const;
-  const std::vector<float>& facet_leans() const;
+  // The exact surfaces from one side, of a model that has them; built at the first call, safe likewise.
+  const ExactSurface& exact_surface(Side side) const;
 
  private:
   struct Shared;

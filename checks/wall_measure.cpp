@@ -9,6 +9,7 @@
 
 #include "checks/ball_probe.h"
 #include "checks/buried.h"
+#include "checks/clear_cells.h"
 #include "checks/exact_refinement.h"
 #include "checks/ray_probe.h"
 
@@ -36,20 +37,20 @@ void check_used(const Arguments& arguments) {
     throw std::invalid_argument("a cone needs method ray");
 }
 
+BallOptions ball_options(Side side, Extreme extreme, const Arguments& arguments) {
+  return {
+      .side = side, .separation = separation(arguments), .greatest = greatest(arguments), .extreme = extreme};
+}
+
 Probe probe_of(Side side, const ContactSurface& surface, const TriangleMesh& mesh, Extreme extreme,
                const Arguments& arguments) {
-  if (by_ray(arguments)) {
-    return ray_probe(surface, mesh,
-                     {.side = side,
-                      .cone = arguments.number("cone"),
-                      .rays = static_cast<int>(arguments.number("rays")),
-                      .mean = arguments.text("cone value") == "mean",
-                      .greatest = greatest(arguments)});
-  }
-  return ball_probe(surface, {.side = side,
-                              .separation = separation(arguments),
-                              .greatest = greatest(arguments),
-                              .extreme = extreme});
+  if (!by_ray(arguments)) return ball_probe(surface, ball_options(side, extreme, arguments));
+  return ray_probe(surface, mesh,
+                   {.side = side,
+                    .cone = arguments.number("cone"),
+                    .rays = static_cast<int>(arguments.number("rays")),
+                    .mean = arguments.text("cone value") == "mean",
+                    .greatest = greatest(arguments)});
 }
 
 std::string count_text(std::size_t n) { return n == 1 ? "1 facet" : fmt::format("{} facets", n); }
@@ -136,6 +137,9 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
                                    .greatest = greatest(arguments),
                                    .extreme = setup.extreme});
     probe = exact_probe(std::move(probe), *walls, setup.extreme);
+    if (options.limit > 0 && setup.extreme == Extreme::smallest)
+      probe = with_clear_cells(std::move(probe), surface, ball_options(side, setup.extreme, arguments),
+                               {options.limit, options.step, scene.exact_surface(side).greatest_turn()});
     options.limit = 0;  // what lies near it is looked for on the surfaces themselves
   }
   Field field = measure_cells(scene.mesh(), region, surface, options,

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "checks/exact_probe.h"
-#include "model/brep_tangent_ball.h"
+#include "gpu/tangent_ball.h"
+#include "model/brep_foot.h"
 #include "tests/dense_boundary.h"
 #include "tests/shapes.h"
 #include "tests/step_shapes.h"
@@ -68,10 +69,10 @@ void expect_none_beats(const Part& part, std::size_t a_face) {
     for (const auto& [p, n] : boundary) {
       if (sign * dot(n, d) < -std::cos(part.options.separation) || length(p - s.p) < 1e-6 * part.surface.size)
         continue;
-      if (2 * ball_radius(p - s.p, d) < w.value * (1 - 1e-4)) {
+      if (2 * ball_through_point(d, p - s.p).radius < w.value * (1 - 1e-4)) {
         if (beaten++ == 0)
           ADD_FAILURE() << "place " << i << " reads " << w.value << " (" << name(w.ball.kind) << "), not "
-                        << 2 * ball_radius(p - s.p, d);
+                        << 2 * ball_through_point(d, p - s.p).radius;
         break;
       }
     }
@@ -136,6 +137,48 @@ TEST_F(ExactBallTest, nothing_beats_what_is_found_on_rounded_and_bored_parts) {
       step_shapes::box(60, 60, 8), step_shapes::moved(step_shapes::cylinder(12, 30), 30, 30, -5));
   expect_none_beats(Part(loaded(step(plate)), any), 4000);
   expect_none_beats(Part(loaded(step(plate)), any, Side::outside), 4000);
+}
+
+// The ball that touches a cone all around has its centre on the axis.
+TEST_F(ExactBallTest, a_cone_thins_out_towards_its_apex) {
+  const Part part(loaded(step(step_shapes::turned(step_shapes::cone(10, 25), 33))), wall);
+  const double tangent = 10.0 / 25;
+  const Vec3d apex{0, -25 * std::sin(33 * degree), 25 * std::cos(33 * degree)};
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < part.found.size(); ++i) {
+    if (part.surface_at(i).kind != SurfaceKind::cone || !part.found[i].measured) continue;
+    EXPECT_NEAR(part.found[i].value, 2 * length(part.found[i].at - apex) * tangent, 1e-7);
+    ++checked;
+  }
+  EXPECT_GT(checked, 100U);
+  expect_none_beats(part, 4000);
+}
+
+// Straight below it nothing counts but the tip, where the parameters of the cone have a pole.
+TEST_F(ExactBallTest, the_tip_of_a_drilled_hole_stops_the_ball) {
+  const TopoDS_Shape drill = step_shapes::turned(step_shapes::cone(3, 5), 180);
+  const Part part(
+      loaded(step(step_shapes::minus(step_shapes::box(12, 12, 20), step_shapes::moved(drill, 6, 6, 20)))),
+      wall, Side::inside, 4000);
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < part.found.size(); ++i) {
+    const Vec3d p = part.found[i].at;
+    const double aside = std::hypot(p.x - 6, p.y - 6);
+    if (p.z > 1e-9 || aside > 4) continue;
+    EXPECT_NEAR(part.found[i].value, (aside * aside + 225) / 15, 1e-6) << aside;
+    ++checked;
+  }
+  EXPECT_GT(checked, 3U);
+  expect_none_beats(part, 500);
+}
+
+// The edge of the lower step is longer than the part of it that lies ahead of the slanted side.
+TEST_F(ExactBallTest, an_edge_that_lies_partly_behind_the_surface_is_followed) {
+  const TopoDS_Shape steps = step_shapes::prism({{0, 0}, {60, 0}, {60, 6}, {30, 6}, {30, 20}, {0, 20}}, 80);
+  const TopoDS_Shape knife =
+      step_shapes::moved(step_shapes::turned(step_shapes::box(100, 100, 100), 50), -10, 60, -20);
+  const Part part(loaded(step(step_shapes::minus(steps, knife))), wall, Side::inside, 800);
+  expect_none_beats(part, 4000);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "checks/clear_cells.h"
 #include "tests/checks/wall_fields.h"
 #include "tests/step_shapes.h"
 
@@ -44,7 +45,7 @@ TEST_F(ExactThickness, the_thinnest_place_is_found_between_the_places_looked_at)
       loaded(step(step_shapes::minus(step_shapes::cylinder(10, 60),
                                      step_shapes::moved(step_shapes::cylinder(6, 60), 2, 0, 0))),
              coarse);
-  for (const double limit : {0.0, 2.5}) {
+  for (const double limit : {0.0, 1.2, 2.5}) {
     const Field field = walls_of(model, limit);
     const auto thinnest = std::min_element(field.value.begin(), field.value.end()) - field.value.begin();
     const auto i = static_cast<std::size_t>(thinnest);
@@ -73,6 +74,34 @@ TEST_F(ExactThickness, facets_of_the_same_part_agree_wherever_their_bounds_decid
         EXPECT_FALSE(b.upper[i] < limit && a.lower[i] >= limit) << limit << " facet " << a.facets[i];
       }
     }
+  }
+}
+
+// The plate is clear of the limit wherever it is looked at coarsely: its least value is found all the same.
+TEST_F(ExactThickness, a_narrow_groove_in_a_plate_that_is_clear_of_the_limit_is_measured) {
+  const TopoDS_Shape plate = step_shapes::minus(
+      step_shapes::box(90, 70, 10), step_shapes::moved(step_shapes::box(1, 200, 7), 38.3, -50, 3));
+  const Field field = walls_of(loaded(step(plate)), 1.2);
+  EXPECT_NEAR(least_value(field), 3, 1e-6);
+  EXPECT_GE(*std::min_element(field.lower.begin(), field.lower.end()), 1.2);
+}
+
+// The slanted side turns away from the bottom by 118 degrees: it does not count, but a surface behind such a
+// facet may.
+TEST_F(ExactThickness, a_cell_is_clear_only_when_no_normal_within_its_error_counts) {
+  const double height = 40 * std::tan(62 * std::numbers::pi / 180);
+  const Model model = loaded(step(step_shapes::prism({{0, 0}, {40, 0}, {40, height}}, 500)));
+  const Scene scene(model, Device::cpu(1));
+  const ContactSurface& surface = scene.surface({.side = Side::inside, .crease = 0.7, .sag = *model.sag});
+  CellQuery query;
+  query.point = {4, 0, 250}, query.direction = query.across = {0, 1, 0}, query.spacing = 1;
+  while (facet_normal(model.mesh, query.facet).y > -0.99) ++query.facet;
+  const BallOptions balls;
+  for (const double error : {0.0, 0.1}) {
+    std::vector<CellAnswer> answer(1);
+    with_clear_cells(ball_probe(surface, balls), surface, balls,
+                     {.limit = 8, .step = 0.5, .normal_error = error})({&query, 1}, answer);
+    EXPECT_EQ(answer[0].clear, error == 0) << "read " << answer[0].value;
   }
 }
 
