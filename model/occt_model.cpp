@@ -7,6 +7,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
+#include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <TopExp_Explorer.hxx>
 #include <fmt/format.h>
@@ -42,9 +43,14 @@ double sag_for(double longest) {
 
 class Filling {
  public:
-  Filling(std::vector<OcctPart> parts, const std::string& file, const LoadOptions& options,
+  Filling(std::vector<OcctPart> parts, OcctNames names, const std::string& file, const LoadOptions& options,
           const Handle(OcctProgress) & progress, Model& model)
-      : parts_(std::move(parts)), file_(file), options_(&options), progress_(progress), model_(&model) {}
+      : parts_(std::move(parts)),
+        names_(std::move(names)),
+        file_(file),
+        options_(&options),
+        progress_(progress),
+        model_(&model) {}
 
   Diagnostics run() {
     repair();
@@ -55,6 +61,7 @@ class Filling {
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
       first_face_.push_back(static_cast<FaceId>(model_->brep->faces.size()));
       add_topology(parts_[i].shape, i, *model_->brep);
+      names_.add_labels(parts_[i].shape, model_->brep->labels);
     }
     tessellate();
     if (progress_->time_is_over()) return out_of_time(file_, *options_);
@@ -86,6 +93,7 @@ class Filling {
     ShapeFix_Shape fix(shape);
     fix.Perform(progress_->start(0.5, 0.5));
     const TopoDS_Shape fixed = fix.Shape();
+    names_.hand_on(shape, [&](const TopoDS_Shape& part) { return fix.Context()->Apply(part); });
     const bool whole = !fixed.IsNull() && TopExp_Explorer(fixed, TopAbs_FACE).More();
     const bool good = whole && BRepCheck_Analyzer(fixed).IsValid();
     warn(fmt::format("body '{}' is not valid as it stands in the file; {}", name,
@@ -209,6 +217,7 @@ class Filling {
   }
 
   std::vector<OcctPart> parts_;
+  OcctNames names_;
   std::string file_;
   const LoadOptions* options_;
   Handle(OcctProgress) progress_;
@@ -229,13 +238,13 @@ Diagnostics out_of_time(const std::string& file, const LoadOptions& options) {
                               options.time_limit)}};
 }
 
-Diagnostics fill_model(std::vector<OcctPart> parts, const std::string& file, const LoadOptions& options,
-                       const Handle(OcctProgress) & progress, Model& model) {
+Diagnostics fill_model(std::vector<OcctPart> parts, OcctNames names, const std::string& file,
+                       const LoadOptions& options, const Handle(OcctProgress) & progress, Model& model) {
   if (parts.empty())
     return {{.file = file,
              .message = "holds no solid and no surface that OpenCASCADE 7.6 can read: export it as a "
                         "solid, or as STL"}};
-  return Filling(std::move(parts), file, options, progress, model).run();
+  return Filling(std::move(parts), std::move(names), file, options, progress, model).run();
 }
 
 }  // namespace gabarit

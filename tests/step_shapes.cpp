@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
@@ -17,6 +18,8 @@
 #include <BRep_Builder.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <IGESGraph_Color.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -24,6 +27,7 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp.hxx>
@@ -136,6 +140,26 @@ std::filesystem::path StepFiles::iges(const TopoDS_Shape& shape, const std::stri
   return file;
 }
 
+std::filesystem::path StepFiles::painted_iges(const TopoDS_Shape& shape) const {
+  IGESControl_Writer writer("MM", 0);
+  writer.AddShape(shape);
+  const Handle(IGESGraph_Color) orange = new IGESGraph_Color();
+  orange->Init(100, 50, 0, new TCollection_HAsciiString("orange"));
+  writer.AddEntity(orange);
+  const Handle(IGESData_IGESModel) model = writer.Model();
+  bool by_number = false;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(IGESData_IGESEntity) entity = model->Entity(i);
+    if (entity->TypeNumber() != 144) continue;  // trimmed surfaces
+    by_number = !by_number;
+    by_number ? entity->InitColor(nullptr, 2) : entity->InitColor(orange);
+  }
+  writer.ComputeModel();
+  const std::filesystem::path file = folder / "painted.igs";
+  writer.Write(file.c_str());
+  return file;
+}
+
 std::filesystem::path StepFiles::assembly(const std::vector<NamedShape>& parts) const {
   Handle(TDocStd_Document) document;
   XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
@@ -177,6 +201,26 @@ double volume(const Model& model) {
     six += dot(a, cross(b, c));
   }
   return six / 6;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::string replaced(std::string content, const std::string& what, const std::vector<std::string>& by) {
+  std::size_t at = 0;
+  for (const std::string& text : by) {
+    at = content.find(what, at);
+    if (at == std::string::npos) {
+      ADD_FAILURE() << "no " << what;
+      return content;
+    }
+    content.replace(at, what.size(), text);
+    at += text.size();
+  }
+  return content;
 }
 
 }  // namespace gabarit::step_shapes

@@ -46,6 +46,8 @@ class StepFiles : public testing::Test {
   // A compound of solids as one product instead of an assembly.
   std::filesystem::path one_product(const TopoDS_Shape& solids) const;
   std::filesystem::path iges(const TopoDS_Shape& shape, const std::string& unit = "MM") const;
+  // Its faces are by turns red by number and of a defined orange.
+  std::filesystem::path painted_iges(const TopoDS_Shape& shape) const;
   // An assembly with one component for each, named through XCAF; equal shapes become instances of one
   // product.
   std::filesystem::path assembly(const std::vector<NamedShape>& parts) const;
@@ -56,5 +58,8 @@ class StepFiles : public testing::Test {
 // Fails the test when the file cannot be read.
 Model loaded(const std::filesystem::path& file, const LoadOptions& options = {});
 double volume(const Model& model);
+std::string text_of(const std::filesystem::path& file);
+// With the first of `what` replaced by the first of `by`, the next by the next.
+std::string replaced(std::string content, const std::string& what, const std::vector<std::string>& by);
 
 }  // namespace gabarit::step_shapes

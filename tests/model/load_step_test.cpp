@@ -1,9 +1,7 @@
 #include "model/load_step.h"
 
-#include <fstream>
 #include <numbers>
 #include <regex>
-#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -14,6 +12,8 @@ namespace gabarit {
 namespace {
 
 using step_shapes::loaded;
+using step_shapes::replaced;
+using step_shapes::text_of;
 using step_shapes::volume;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -21,12 +21,6 @@ using testing::IsEmpty;
 constexpr double pi = std::numbers::pi;
 
 class LoadStep : public step_shapes::StepFiles {};
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 std::string error_of(const std::filesystem::path& file) {
   const Result<Model> model = load(file);
@@ -150,17 +144,6 @@ TEST_F(LoadStep, an_assembly_gives_named_placed_bodies_and_every_instance_is_one
   EXPECT_NEAR(model.box.max.z, 32, 0.01);
   EXPECT_EQ(model.mesh.body.front(), 0U);
   EXPECT_EQ(model.mesh.body.back(), 2U);
-}
-
-std::string replaced(std::string content, const std::string& what, const std::vector<std::string>& by) {
-  std::size_t at = 0;
-  for (const std::string& text : by) {
-    at = content.find(what, at);
-    if (at == std::string::npos) return "no " + what;
-    content.replace(at, what.size(), text);
-    at += text.size();
-  }
-  return content;
 }
 
 TEST_F(LoadStep, solids_of_one_product_are_told_apart_by_their_own_names_where_they_have_any) {
