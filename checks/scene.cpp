@@ -12,7 +12,18 @@ struct Scene::Shared {
   std::unique_ptr<EdgeChords> edges;
   std::vector<float> leans;
   std::mutex surfaces_guard;
-  std::map<SurfaceOptions, ContactSurface> surfaces;  // references stay good while it grows
+  std::map<SurfaceOptions, ContactSurface> surfaces, surfaces_here;  // references stay good while they grow
+
+  const ContactSurface& built(std::map<SurfaceOptions, ContactSurface>& known, const SurfaceOptions& options,
+                              const Scene& scene, const Device& device) {
+    const Adjacency& neighbours = scene.adjacency();
+    const std::lock_guard lock(surfaces_guard);
+    auto place = known.find(options);
+    if (place == known.end()) {
+      place = known.emplace(options, contact_surface(scene.mesh(), neighbours, options, device)).first;
+    }
+    return place->second;
+  }
 };
 
 Scene::Scene(const Model& model, Device device)
@@ -37,13 +48,12 @@ const std::vector<float>& Scene::facet_leans() const {
 }
 
 const ContactSurface& Scene::surface(const SurfaceOptions& options) const {
-  const Adjacency& neighbours = adjacency();
-  const std::lock_guard lock(shared_->surfaces_guard);
-  auto place = shared_->surfaces.find(options);
-  if (place == shared_->surfaces.end()) {
-    place = shared_->surfaces.emplace(options, contact_surface(mesh(), neighbours, options, device_)).first;
-  }
-  return place->second;
+  return shared_->built(shared_->surfaces, options, *this, device_);
+}
+
+const ContactSurface& Scene::surface_here(const SurfaceOptions& options) const {
+  if (!device_.has_own_memory()) return surface(options);
+  return shared_->built(shared_->surfaces_here, options, *this, device_.host());
 }
 
 }  // namespace gabarit

@@ -25,6 +25,8 @@ class Scene {
   const Adjacency& adjacency() const;
   // The tree that balls and rays are sent through, by its options; built at the first call, safe likewise.
   const ContactSurface& surface(const SurfaceOptions& options) const;
+  // The same in the memory of the CPU, wherever the device keeps its own.
+  const ContactSurface& surface_here(const SurfaceOptions& options) const;
   // Of the model's exact surfaces, which it must have; built at the first call, safe likewise.
   const EdgeChords& edges() const;
   const std::vector<float>& facet_leans() const;

@@ -9,6 +9,7 @@
 
 #include "checks/ball_probe.h"
 #include "checks/buried.h"
+#include "checks/exact_ray_probe.h"
 #include "checks/exact_refinement.h"
 #include "checks/ray_probe.h"
 
@@ -36,21 +37,48 @@ void check_used(const Arguments& arguments) {
     throw std::invalid_argument("a cone needs method ray");
 }
 
+RayOptions ray_options(Side side, const Arguments& arguments) {
+  return {.side = side,
+          .cone = arguments.number("cone"),
+          .rays = static_cast<int>(arguments.number("rays")),
+          .mean = arguments.text("cone value") == "mean",
+          .greatest = greatest(arguments)};
+}
+
 Probe probe_of(Side side, const ContactSurface& surface, const TriangleMesh& mesh, Extreme extreme,
                const Arguments& arguments) {
-  if (by_ray(arguments)) {
-    return ray_probe(surface, mesh,
-                     {.side = side,
-                      .cone = arguments.number("cone"),
-                      .rays = static_cast<int>(arguments.number("rays")),
-                      .mean = arguments.text("cone value") == "mean",
-                      .greatest = greatest(arguments)});
-  }
+  if (by_ray(arguments)) return ray_probe(surface, mesh, ray_options(side, arguments));
   return ball_probe(surface, {.side = side,
                               .separation = separation(arguments),
                               .greatest = greatest(arguments),
                               .extreme = extreme});
 }
+
+// Between exact surfaces, along rays or by balls.
+struct ExactSearch {
+  std::optional<ExactWalls> balls;
+  std::optional<ExactRayWalls> rays;
+
+  ExactSearch(Side side, const Scene& scene, const ContactSurface& surface, Extreme extreme,
+              const Arguments& arguments) {
+    if (by_ray(arguments)) {
+      rays.emplace(scene, surface, ray_options(side, arguments));
+    } else {
+      balls.emplace(scene, surface,
+                    ExactWallOptions{.side = side,
+                                     .separation = separation(arguments),
+                                     .greatest = greatest(arguments),
+                                     .extreme = extreme});
+    }
+  }
+  std::vector<ExactWall> operator()(std::span<const FacetPlace> places) const {
+    return rays ? rays->measure(places) : balls->measure(places);
+  }
+  Probe probe(Probe base, Extreme extreme) const {
+    if (rays) return exact_ray_probe(std::move(base), *rays, extreme);
+    return exact_probe(std::move(base), *balls, extreme);
+  }
+};
 
 std::string count_text(std::size_t n) { return n == 1 ? "1 facet" : fmt::format("{} facets", n); }
 
@@ -86,7 +114,7 @@ void add_notes(Field& field, Side side, double step, const Arguments& arguments)
 }
 
 bool is_exact(const Scene& scene, const Arguments& arguments) {
-  return scene.model().brep && !by_ray(arguments) && arguments.text("normals") == "smooth";
+  return scene.model().brep && arguments.text("normals") == "smooth";
 }
 
 void add_exact_note(Field& field) {
@@ -117,8 +145,9 @@ std::string method_text(const Arguments& arguments) {
 Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Region& region,
                     const Arguments& arguments) {
   check_used(arguments);
-  const ContactSurface& surface =
-      scene.surface({.side = side, .crease = arguments.number("crease"), .sag = setup.sag});
+  const bool exact = is_exact(scene, arguments);
+  const SurfaceOptions wanted{.side = side, .crease = arguments.number("crease"), .sag = setup.sag};
+  const ContactSurface& surface = exact ? scene.surface_here(wanted) : scene.surface(wanted);
   CellOptions options{.side = side,
                       .smooth = arguments.text("normals") == "smooth",
                       .step = setup.resolution > 0 ? setup.resolution : surface.size / 200,
@@ -128,21 +157,19 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
                       .progress = setup.progress};
   if (arguments.has("step")) options.step = arguments.number("step");
   Probe probe = probe_of(side, surface, scene.mesh(), setup.extreme, arguments);
-  std::optional<ExactWalls> walls;
-  if (is_exact(scene, arguments)) {
-    walls.emplace(scene, surface,
-                  ExactWallOptions{.side = side,
-                                   .separation = separation(arguments),
-                                   .greatest = greatest(arguments),
-                                   .extreme = setup.extreme});
-    probe = exact_probe(std::move(probe), *walls, setup.extreme);
+  std::optional<ExactSearch> walls;
+  if (exact) {
+    walls.emplace(side, scene, surface, setup.extreme, arguments);
+    probe = walls->probe(std::move(probe), setup.extreme);
     options.limit = 0;  // what lies near it is looked for on the surfaces themselves
   }
   Field field = measure_cells(scene.mesh(), region, surface, options,
                               without_buried(std::move(probe), side, surface, setup));
   add_notes(field, side, options.step, arguments);
   if (walls) {
-    if (setup.extreme == Extreme::smallest) refine_least(field, scene, *walls, setup.limit);
+    const auto measure = [&](std::span<const FacetPlace> places) { return (*walls)(places); };
+    if (setup.extreme == Extreme::smallest)
+      refine_least(field, scene, measure, {.limit = setup.limit, .facets_bind = !by_ray(arguments)});
     add_exact_note(field);
   }
   return field;
