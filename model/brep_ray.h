@@ -1,6 +1,7 @@
 // Where a straight line meets the surface of a face.
 #pragma once
 
+#include "model/brep_edge.h"
 #include "model/brep_tangent_ball.h"
 
 namespace gabarit {
@@ -59,31 +60,6 @@ GABARIT_HD inline RayMeeting meet_surface(const BrepView& brep, const Face& face
     if (!nearer) break;
   }
   return {q.z, beside, at, s.p, s.du, s.dv, beside <= close};
-}
-
-// From p to the curve of an edge: from the nearest of a row of places by Newton's method. Exact for points
-// near the curve, where alone it is asked.
-GABARIT_HD inline double distance_to_edge(const BrepView& brep, const Edge& edge, const Vec3d& p) {
-  if (edge.curve == no_number) return std::numeric_limits<double>::infinity();
-  constexpr int most_steps = 12;
-  const Curve& curve = brep.curves[edge.curve];
-  const int places = curve.kind == CurveKind::line ? 1 : curve.kind == CurveKind::circle ? 8 : 48;
-  double at = edge.first, least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= places; ++i) {
-    const double t = edge.first + (edge.last - edge.first) * i / places;
-    const double distance = squared_length(curve_point(brep, curve, t).p - p);
-    if (distance < least) at = t, least = distance;
-  }
-  for (int i = 0; i < most_steps; ++i) {
-    const CurvePoint c = curve_point(brep, curve, at);
-    const double first = dot(c.d, c.d), second = first + dot(c.p - p, c.dd);
-    double next = at - dot(c.p - p, c.d) / (second > 0.1 * first ? second : first);
-    next = next < edge.first ? edge.first : next > edge.last ? edge.last : next;
-    const double distance = squared_length(curve_point(brep, curve, next).p - p);
-    if (!(distance < least)) break;
-    at = next, least = distance;
-  }
-  return std::sqrt(least);
 }
 
 // Whether p lies within twice the tolerance of one of the face's edges, or of an end of it.

@@ -16,6 +16,7 @@
 #include "model/collapsed_facets.h"
 #include "model/occt_tessellation.h"
 #include "model/occt_topology.h"
+#include "model/split_facets.h"
 
 namespace gabarit {
 namespace {
@@ -26,6 +27,7 @@ constexpr double least_fraction = 1e-6;    // likewise
 constexpr double deviation_margin = 1.1;   // of the true greatest deviation over that of the samples
 constexpr double least_sag = 1e-6;         // mm; nothing is known better than that
 constexpr int tessellation_rounds = 4;
+constexpr std::uint64_t most_split_facets = 5'000'000;
 
 double longest_side(const std::vector<OcctPart>& parts) {
   Bnd_Box box;
@@ -129,6 +131,7 @@ class Filling {
     first_facet_.clear();
     deviation_.clear();
     facets_ = {};
+    cut_off_ = false;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const TessellationOptions options{.sag = deflections[i]};
       triangulate(parts_[i].shape, options, progress_->start(progress, progress));
@@ -139,9 +142,13 @@ class Filling {
       const auto last = static_cast<FacetId>(model_->mesh.facet_count());
       flip_collapsed_facets(model_->mesh, brep.facets, first, last);
       for (FacetId f = first; f < last; ++f) settle_poles(brep, brep.facets[f]);
+      if (options_->facet_size)
+        cut_off_ |=
+            !split_facets(brep, *options_->facet_size, most_split_facets, first, model_->mesh, brep.facets);
       facets_.faces_without += made.faces_without;
       facets_.edges_unmatched += made.edges_unmatched;
-      deviation_.push_back(greatest_deviation(brep, model_->mesh, first, last));
+      deviation_.push_back(
+          greatest_deviation(brep, model_->mesh, first, static_cast<FacetId>(model_->mesh.facet_count())));
     }
     first_facet_.push_back(static_cast<FacetId>(model_->mesh.facet_count()));
   }
@@ -199,6 +206,9 @@ class Filling {
                       facets_.faces_without));
     if (facets_.edges_unmatched > 0)
       warn(fmt::format("the facets do not fit together along {} edges", facets_.edges_unmatched));
+    if (cut_off_)
+      warn(fmt::format("facets of {:g} mm would be more than {} million; their sides are longer",
+                       *options_->facet_size, most_split_facets / 1'000'000));
     report_trims();
     if (model_->brep->approximated > 0)
       warn(fmt::format(
@@ -227,6 +237,7 @@ class Filling {
   std::vector<FacetId> first_facet_;
   std::vector<double> deviation_;
   Tessellation facets_;
+  bool cut_off_ = false;  // facets of the size asked for would be too many
 };
 
 }  // namespace
