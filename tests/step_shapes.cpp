@@ -6,8 +6,11 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -16,6 +19,8 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <IGESData_IGESModel.hxx>
@@ -27,6 +32,7 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -37,10 +43,12 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
+#include <TopoDS_Wire.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <gp_Ax1.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Trsf.hxx>
 
 namespace gabarit::step_shapes {
@@ -65,6 +73,30 @@ TopoDS_Shape tube(double outer, double inner, double height) {
 TopoDS_Shape cone(double bottom, double height) { return BRepPrimAPI_MakeCone(bottom, 0, height).Shape(); }
 TopoDS_Shape sphere(double radius) { return BRepPrimAPI_MakeSphere(radius).Shape(); }
 TopoDS_Shape torus(double ring, double tube) { return BRepPrimAPI_MakeTorus(ring, tube).Shape(); }
+
+static TopoDS_Shape extruded(const TopoDS_Edge& outline, double height) {
+  const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(outline).Wire();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire, Standard_True).Shape(), gp_Vec(0, 0, height))
+      .Shape();
+}
+
+TopoDS_Shape elliptic_cylinder(double a, double b, double height) {
+  return extruded(BRepBuilderAPI_MakeEdge(gp_Elips(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), a, b)), height);
+}
+
+TopoDS_Shape lobed_cylinder(const std::vector<double>& radii, double height) {
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, static_cast<int>(radii.size()));
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(radii.size());
+    points->SetValue(static_cast<int>(i) + 1,
+                     gp_Pnt(radii[i] * std::cos(angle), radii[i] * std::sin(angle), 0));
+  }
+  GeomAPI_Interpolate spline(points, Standard_True, 1e-7);
+  spline.Perform();
+  return extruded(BRepBuilderAPI_MakeEdge(spline.Curve()), height);
+}
+
+TopoDS_Shape as_splines(const TopoDS_Shape& shape) { return BRepBuilderAPI_NurbsConvert(shape).Shape(); }
 
 TopoDS_Shape minus(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Cut(a, b).Shape(); }
 

@@ -22,6 +22,12 @@ TopoDS_Shape tube(double outer, double inner, double height);
 TopoDS_Shape cone(double bottom, double height);  // with its apex
 TopoDS_Shape sphere(double radius);
 TopoDS_Shape torus(double ring, double tube);
+// Elliptic; its wall is an extrusion.
+TopoDS_Shape elliptic_cylinder(double a, double b, double height);
+// Its wall is the extrusion of a closed spline through points at these radii, evenly about z.
+TopoDS_Shape lobed_cylinder(const std::vector<double>& radii, double height);
+// Every face a rational spline.
+TopoDS_Shape as_splines(const TopoDS_Shape& shape);
 TopoDS_Shape minus(const TopoDS_Shape& a, const TopoDS_Shape& b);
 // A plane polygon, counter-clockwise, swept along z.
 TopoDS_Shape prism(const std::vector<std::array<double, 2>>& corners, double height);
