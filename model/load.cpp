@@ -62,7 +62,8 @@ Diagnostics unreadable(const std::string& name, const std::string& ending) {
                                           : fmt::format("'{}' files cannot be read by this version", ending);
   const bool packed = ending == ".gz" || ending == ".zip";
   return {{.file = name,
-           .message = fmt::format("{}; it reads .stl, .obj, .ply, .off, .step and .iges: {}", what,
+           .message = fmt::format("{}; it reads .stl, .obj, .ply{}: {}", what,
+                                  step_can_be_read() ? ", .off, .step and .iges" : " and .off",
                                   packed ? "unpack it first" : "export the model as one of them")}};
 }
 

@@ -70,6 +70,8 @@ Diagnostics read(const std::filesystem::path& file, std::string_view bytes, cons
 
 }  // namespace
 
+bool step_can_be_read() { return true; }
+
 Diagnostics load_step(const std::filesystem::path& file, std::string_view bytes, const LoadOptions& options,
                       Model& model) {
   if (Diagnostics errors = step_errors(bytes, file.string()); !errors.empty()) return errors;

@@ -7,6 +7,9 @@
 
 namespace gabarit {
 
+// False in a build without OpenCASCADE; then both loaders say so.
+bool step_can_be_read();
+
 // Fill everything of `model` but file and hash; empty when all went well. The exact surfaces stay in
 // `model.brep`, the facets are made of them: no further from them than `model.sag`. One body a solid, one for
 // every open shell, one for the loose faces of a part. Weak spots: layers and annotations are not
