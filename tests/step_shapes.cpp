@@ -192,23 +192,53 @@ std::filesystem::path StepFiles::painted_iges(const TopoDS_Shape& shape) const {
   return file;
 }
 
-std::filesystem::path StepFiles::assembly(const std::vector<NamedShape>& parts) const {
-  Handle(TDocStd_Document) document;
-  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
-  const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-  const TDF_Label root = shapes->NewShape();
-  TDataStd_Name::Set(root, "assembly");
-  for (const NamedShape& part : parts) {
-    const TDF_Label product = shapes->AddShape(part.shape.Located(TopLoc_Location()), Standard_False);
-    TDataStd_Name::Set(product, TCollection_ExtendedString(part.name.c_str(), Standard_True));
-    shapes->AddComponent(root, product, part.shape.Location());
+namespace {
+
+struct Document {
+  Document() {
+    XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+    shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
   }
-  shapes->UpdateAssemblies();
-  STEPCAFControl_Writer writer;
-  writer.Transfer(document, STEPControl_AsIs);
-  const std::filesystem::path file = folder / "assembly.stp";
-  writer.Write(file.c_str());
-  return file;
+
+  TDF_Label assembly(const char* name, const std::vector<NamedShape>& parts) const {
+    const TDF_Label root = shapes->NewShape();
+    TDataStd_Name::Set(root, name);
+    for (const NamedShape& part : parts) {
+      const TDF_Label product = shapes->AddShape(part.shape.Located(TopLoc_Location()), Standard_False);
+      TDataStd_Name::Set(product, TCollection_ExtendedString(part.name.c_str(), Standard_True));
+      shapes->AddComponent(root, product, part.shape.Location());
+    }
+    return root;
+  }
+
+  std::filesystem::path written(const std::filesystem::path& file) const {
+    shapes->UpdateAssemblies();
+    STEPCAFControl_Writer writer;
+    writer.Transfer(document, STEPControl_AsIs);
+    writer.Write(file.c_str());
+    return file;
+  }
+
+  Handle(TDocStd_Document) document;
+  Handle(XCAFDoc_ShapeTool) shapes;
+};
+
+}  // namespace
+
+std::filesystem::path StepFiles::assembly(const std::vector<NamedShape>& parts) const {
+  const Document document;
+  document.assembly("assembly", parts);
+  return document.written(folder / "assembly.stp");
+}
+
+std::filesystem::path StepFiles::nested(const std::vector<NamedShape>& parts, const gp_Trsf& one,
+                                        const gp_Trsf& other) const {
+  const Document document;
+  const TDF_Label inner = document.assembly("inner", parts);
+  const TDF_Label outer = document.assembly("outer", {});
+  document.shapes->AddComponent(outer, inner, one);
+  document.shapes->AddComponent(outer, inner, other);
+  return document.written(folder / "nested.stp");
 }
 
 std::filesystem::path StepFiles::text(const std::string& name, const std::string& content) const {

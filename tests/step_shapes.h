@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <TopoDS_Shape.hxx>
+#include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
 #include "model/load.h"
@@ -57,6 +58,9 @@ class StepFiles : public testing::Test {
   // An assembly with one component for each, named through XCAF; equal shapes become instances of one
   // product.
   std::filesystem::path assembly(const std::vector<NamedShape>& parts) const;
+  // Two of an assembly of `parts` in an assembly, placed by the two.
+  std::filesystem::path nested(const std::vector<NamedShape>& parts, const gp_Trsf& one,
+                               const gp_Trsf& other) const;
   std::filesystem::path text(const std::string& name, const std::string& content) const;
   std::filesystem::path folder;
 };

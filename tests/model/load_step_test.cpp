@@ -4,6 +4,8 @@
 #include <regex>
 
 #include <gmock/gmock.h>
+#include <gp_Ax1.hxx>
+#include <gp_Trsf.hxx>
 
 #include "model/brep_curvature.h"
 #include "tests/step_shapes.h"
@@ -144,6 +146,25 @@ TEST_F(LoadStep, an_assembly_gives_named_placed_bodies_and_every_instance_is_one
   EXPECT_NEAR(model.box.max.z, 32, 0.01);
   EXPECT_EQ(model.mesh.body.front(), 0U);
   EXPECT_EQ(model.mesh.body.back(), 2U);
+}
+
+TEST_F(LoadStep, placements_of_nested_assemblies_follow_one_another) {
+  gp_Trsf along, turned;
+  along.SetTranslation(gp_Vec(100, 0, 0));
+  turned.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), pi / 2);
+  const Model model = loaded(nested({{"plate", step_shapes::box(50, 20, 5)},
+                                     {"block", step_shapes::moved(step_shapes::box(4, 4, 4), 10, 0, 5)}},
+                                    along, turned));
+  EXPECT_THAT(model.bodies, ElementsAre("plate", "block", "plate", "block"));
+  EXPECT_TRUE(watertight(model.defects));
+  EXPECT_NEAR(volume(model), 2 * (5000 + 64), 1e-6);
+  std::vector<Box3d> boxes(4);
+  for (FacetId f = 0; f < model.mesh.facet_count(); ++f)
+    for (int i = 0; i < 3; ++i) boxes[model.mesh.body_of(f)].add(model.mesh.corner(f, i));
+  EXPECT_LT(length(boxes[0].min - Vec3d{100, 0, 0}), 1e-9);
+  EXPECT_LT(length(boxes[1].max - Vec3d{114, 4, 9}), 1e-9);
+  EXPECT_LT(length(boxes[2].max - Vec3d{0, 50, 5}), 1e-9);
+  EXPECT_LT(length(boxes[3].min - Vec3d{-4, 10, 5}), 1e-9);
 }
 
 TEST_F(LoadStep, solids_of_one_product_are_told_apart_by_their_own_names_where_they_have_any) {
