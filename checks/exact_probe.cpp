@@ -25,6 +25,17 @@ void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
 
 }  // namespace
 
+SurfacePlace surface_place(const BrepView& brep, const FacetOrigin& facet,
+                           const std::array<double, 2>& weights) {
+  const auto [v, w] = weights;
+  const Face& face = brep.faces[facet.face];
+  const Parameters at = parameters_at(facet, 1 - v - w, v, w);
+  SurfacePlace place{face_point(brep, face, at), {}, false};
+  place.normal = outward_normal_at(brep, face, place.point);
+  place.present = place.normal != Vec3d{} && trim_side(brep, facet.face, at) == TrimSide::inside;
+  return place;
+}
+
 ExactWalls::ExactWalls(const Scene& scene, const ContactSurface& surface, const ExactWallOptions& options)
     : scene_(&scene), exact_(&scene.exact_surface(options.side)), options_(options) {
   ball_options_ = {.cos_separation = std::cos(options.separation),
@@ -38,19 +49,13 @@ std::vector<ExactWall> ExactWalls::measure(std::span<const FacetPlace> places) c
   std::vector<ExactBallQuery> queries;
   std::vector<std::size_t> number;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto [v, w] = places[i].weights;
     const FacetOrigin& origin = view.facets[places[i].facet];
-    const Face& face = view.brep.faces[origin.face];
-    const SurfacePoint s = face_point(view.brep, face, parameters_at(origin, 1 - v - w, v, w));
-    const Vec3d normal = outward_normal_at(view.brep, face, s);
-    walls[i].at = s.p;
-    // Facets hang over the rims of holes, where there is no surface.
-    walls[i].measured =
-        normal != Vec3d{} &&
-        trim_side(view.brep, origin.face, parameters_at(origin, 1 - v - w, v, w)) == TrimSide::inside;
-    if (!walls[i].measured) continue;
-    const PrincipalCurvatures k = principal_curvatures(s, face.sign);
-    queries.push_back({s.p, normal * -view.side, options_.side == Side::inside ? k.greatest : -k.least});
+    const SurfacePlace there = surface_place(view.brep, origin, places[i].weights);
+    walls[i].at = there.point.p, walls[i].measured = there.present;
+    if (!there.present) continue;
+    const PrincipalCurvatures k = principal_curvatures(there.point, view.brep.faces[origin.face].sign);
+    queries.push_back({there.point.p, there.normal * -view.side,
+                       options_.side == Side::inside ? k.greatest : -k.least});
     number.push_back(i);
   }
   std::vector<ExactBall> balls(queries.size());

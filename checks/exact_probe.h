@@ -6,6 +6,7 @@
 #include "checks/exact_ball.h"
 #include "checks/facet_cells.h"
 #include "checks/scene.h"
+#include "model/brep_surface.h"
 
 namespace gabarit {
 
@@ -23,6 +24,15 @@ struct FacetPlace {
   std::array<double, 2> weights{1.0 / 3, 1.0 / 3};
 };
 
+// The point of the exact surface under a place of a facet.
+struct SurfacePlace {
+  SurfacePoint point;
+  Vec3d normal;          // outward; zero where the surface has none
+  bool present = false;  // with a normal, and within the trimming curves: facets hang over the rims of holes
+};
+SurfacePlace surface_place(const BrepView& brep, const FacetOrigin& facet,
+                           const std::array<double, 2>& weights);
+
 // What is reported of exact walls: multiples of 1e-6 mm, so that a wall of 1 mm is not thinner than 1 mm.
 inline double rounded_wall(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -32,6 +42,7 @@ struct ExactWall {
   double off = 0;         // mm: what the tolerance of an edge leaves open of it
   Vec3d at;               // the place on the exact surface
   bool measured = false;  // the surface has a normal at the place
+  bool at_edge = false;   // of rays: it shrinks to nothing towards an edge, however thick the part is
   ExactBall ball;
 };
 
@@ -49,6 +60,9 @@ class ExactWalls {
   ExactWallOptions options_;
   ExactBallOptions ball_options_;
 };
+
+// The same on any number of threads.
+using ExactMeasure = std::function<std::vector<ExactWall>(std::span<const FacetPlace>)>;
 
 // Values and upper bounds are those of the exact surfaces; what lies between the places of a cell keeps the
 // lower bound that `base` gives for facets with their sag.

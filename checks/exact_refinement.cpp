@@ -53,7 +53,7 @@ Weights weights_of(const TriangleMesh& mesh, FacetId facet, const Vec3d& p) {
 }
 
 // A grid, and the best place so far.
-void start(const Field& field, const TriangleMesh& mesh, const ExactWalls& walls,
+void start(const Field& field, const TriangleMesh& mesh, const ExactMeasure& walls,
            std::vector<Descent>& descents) {
   std::vector<FacetPlace> places;
   for (const Descent& d : descents) {
@@ -64,27 +64,29 @@ void start(const Field& field, const TriangleMesh& mesh, const ExactWalls& walls
         places.push_back({facet, {static_cast<double>(i) / grid, static_cast<double>(j) / grid}});
     }
   }
-  const std::vector<ExactWall> found = walls.measure(places);
+  const std::vector<ExactWall> found = walls(places);
   const std::size_t each = descents.empty() ? 0 : places.size() / descents.size();
   for (std::size_t i = 0; i < places.size(); ++i) {
     Descent& d = descents[i / each];
     if (!found[i].measured) continue;
-    d.sound = d.sound && found[i].ball.verified;
+    d.sound = d.sound && found[i].ball.verified && !found[i].at_edge;
+    if (found[i].at_edge) continue;
     if (found[i].value < d.least.value) d.least = found[i], d.at = places[i].weights;
   }
 }
 
-void descend(const Field& field, const ExactWalls& walls, std::vector<Descent>& descents) {
+void descend(const Field& field, const ExactMeasure& walls, std::vector<Descent>& descents) {
   for (std::vector<FacetPlace> places = neighbours(field, descents); !places.empty();
        places = neighbours(field, descents)) {
-    const std::vector<ExactWall> found = walls.measure(places);
+    const std::vector<ExactWall> found = walls(places);
     std::size_t i = 0;
     for (Descent& d : descents) {
       if (d.done()) continue;
       bool better = false;
       for (int k = 0; k < 6; ++k, ++i) {
         if (!found[i].measured) continue;
-        d.sound = d.sound && found[i].ball.verified;
+        d.sound = d.sound && found[i].ball.verified && !found[i].at_edge;
+        if (found[i].at_edge) continue;
         if (!(found[i].value < d.least.value * (1 - 1e-12))) continue;
         d.least = found[i], d.at = places[i].weights, better = true;
       }
@@ -93,12 +95,13 @@ void descend(const Field& field, const ExactWalls& walls, std::vector<Descent>& 
   }
 }
 
-void keep(Field& field, const Descent& d, double limit) {
+void keep(Field& field, const Descent& d, const RefineOptions& options) {
   if (!d.least.measured || !std::isfinite(d.least.value)) return;
   const std::size_t row = d.row;
   const double least = rounded_wall(d.least.value);
   // What the facets' own bounds exclude was not found, or found wrongly.
-  if (least > field.upper[row] * (1 + 1e-6) || least < field.lower[row] * (1 - 1e-6)) return;
+  const bool excluded = least > field.upper[row] * (1 + 1e-6) || least < field.lower[row] * (1 - 1e-6);
+  if (options.facets_bind && excluded) return;
   if (least < field.value[row]) {
     field.value[row] = least;
     field.at[row] = d.least.at;
@@ -106,7 +109,7 @@ void keep(Field& field, const Descent& d, double limit) {
   }
   field.upper[row] = std::min(field.upper[row], least + d.least.off);
   const double lower = std::min(field.value[row], least) - d.least.off;
-  if (d.sound && limit > 0) field.lower[row] = std::max(field.lower[row], lower);
+  if (d.sound && options.limit > 0) field.lower[row] = std::max(field.lower[row], lower);
   field.lower[row] = std::min(field.lower[row], field.value[row]);
 }
 
@@ -119,7 +122,8 @@ bool is_least_around(const Field& field, const std::vector<double>& by_facet, co
 
 }  // namespace
 
-void refine_least(Field& field, const Scene& scene, const ExactWalls& walls, double limit) {
+void refine_least(Field& field, const Scene& scene, const ExactMeasure& walls, const RefineOptions& options) {
+  const double limit = options.limit;
   std::vector<double> by_facet(scene.mesh().facet_count(), infinity);
   double least = infinity;
   for (std::size_t row = 0; row < field.size(); ++row) {
@@ -141,7 +145,7 @@ void refine_least(Field& field, const Scene& scene, const ExactWalls& walls, dou
   }
   start(field, scene.mesh(), walls, descents);
   descend(field, walls, descents);
-  for (const Descent& d : descents) keep(field, d, limit);
+  for (const Descent& d : descents) keep(field, d, options);
 }
 
 }  // namespace gabarit

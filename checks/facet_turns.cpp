@@ -73,7 +73,8 @@ float kink_turn(const BrepView& brep, const FacetOrigin& facet, const Kinks& kin
   const auto [u0, u1] = std::minmax({c[0].u, c[1].u, c[2].u});
   const auto [v0, v1] = std::minmax({c[0].v, c[1].v, c[2].v});
   double greatest = 0;
-  for (const double share : {0.0, 0.5, 1.0}) {
+  // Not at the very ends: at a pole the normals are rounding noise.
+  for (const double share : {0.02, 0.5, 0.98}) {
     for (const double k : kinks.u) {
       if (k >= u0 && k <= u1)
         greatest = std::max(greatest, turn_at_kink(brep, face, {k, v0 + share * (v1 - v0)}, true));

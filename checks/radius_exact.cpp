@@ -41,7 +41,9 @@ class ExactRadius {
     Reading reading;
     if (facet_normal(*mesh_, f) == Vec3d{}) return degenerate(f);
     const SharpestPoint point = sharpest_point(arrays_, brep_->facets[f]);
-    reading.value = reading.lower = reading.upper = radius(point.curvature);
+    if (std::isnan(point.curvature)) return unknown(f);
+    reading.value = reading.upper = radius(point.curvature);
+    reading.lower = radius(point.most);
     reading.absence = Absence::none;
     reading.at = face_point(arrays_, brep_->faces[brep_->facets[f].face], point.at).p;
     reading.contact = reading.at;
@@ -51,6 +53,14 @@ class ExactRadius {
   }
 
  private:
+  // The surface has no normal there: nothing is known of it.
+  Reading unknown(FacetId f) const {
+    Reading reading;
+    reading.absence = Absence::too_little;
+    reading.at = reading.contact = mesh_->centroid(f);
+    return reading;
+  }
+
   Reading degenerate(FacetId f) const {
     Reading reading;
     reading.absence = Absence::degenerate;

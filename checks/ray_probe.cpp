@@ -12,18 +12,7 @@ namespace gabarit {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double floor_share = 1e-6;
 constexpr std::size_t rays_at_once = 1 << 20;
-
-// Unit vector across `axis` that turns with the facet: along its longest edge.
-Vec3d sideways(const TriangleMesh& mesh, FacetId f, const Vec3d& axis) {
-  Vec3d longest;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3d edge = mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k);
-    if (squared_length(edge) > squared_length(longest)) longest = edge;
-  }
-  return normalized(longest - dot(longest, axis) * axis);
-}
 
 struct Distance {
   double value = infinity, lower = infinity, upper = infinity;
@@ -36,7 +25,7 @@ class RayProbe {
  public:
   RayProbe(const ContactSurface& surface, const TriangleMesh& mesh, const RayOptions& options)
       : surface_(&surface), mesh_(&mesh), options_(options) {
-    if (!(options_.cone > 0)) options_.rays = 1;
+    options_.rays = ray_count(options);
   }
 
   void operator()(std::span<const CellQuery> queries, std::span<CellAnswer> answers) const {
@@ -61,16 +50,10 @@ class RayProbe {
                           std::span(hits).subspan(i * each, each));
   }
 
-  // A sunflower over the cap: equal shares of solid angle.
   Ray ray(const CellQuery& query, int number) const {
-    Ray ray{query.point, query.direction, query.facet, floor_share * surface_->size};
-    if (number == 0) return ray;
-    const double z = 1 - (1 - std::cos(options_.cone)) * number / (options_.rays - 1);
-    const double around = number * std::numbers::pi * (3 - std::sqrt(5.0));
-    const Vec3d u = sideways(*mesh_, query.facet, query.direction), v = cross(query.direction, u);
-    const double across = std::sqrt(std::max(0.0, 1 - z * z));
-    ray.direction = normalized(z * query.direction + across * (std::cos(around) * u + std::sin(around) * v));
-    return ray;
+    const Vec3d across = number == 0 ? Vec3d{} : sideways(*mesh_, query.facet, query.direction);
+    return {query.point, ray_direction(options_, query.direction, across, number), query.facet,
+            ray_floor_share * surface_->size};
   }
 
   Distance distance(const CellQuery& query, const Ray& ray, const RayHit& hit) const {
@@ -135,6 +118,27 @@ class RayProbe {
 };
 
 }  // namespace
+
+int ray_count(const RayOptions& options) { return options.cone > 0 ? options.rays : 1; }
+
+// A sunflower over the cap: equal shares of solid angle.
+Vec3d ray_direction(const RayOptions& options, const Vec3d& axis, const Vec3d& sideways, int number) {
+  if (number == 0) return axis;
+  const double z = 1 - (1 - std::cos(options.cone)) * number / (options.rays - 1);
+  const double around = number * std::numbers::pi * (3 - std::sqrt(5.0));
+  const Vec3d other = cross(axis, sideways);
+  const double across = std::sqrt(std::max(0.0, 1 - z * z));
+  return normalized(z * axis + across * (std::cos(around) * sideways + std::sin(around) * other));
+}
+
+Vec3d sideways(const TriangleMesh& mesh, FacetId f, const Vec3d& axis) {
+  Vec3d longest;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3d edge = mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k);
+    if (squared_length(edge) > squared_length(longest)) longest = edge;
+  }
+  return normalized(longest - dot(longest, axis) * axis);
+}
 
 Probe ray_probe(const ContactSurface& surface, const TriangleMesh& mesh, const RayOptions& options) {
   return RayProbe(surface, mesh, options);

@@ -11,8 +11,19 @@ struct Scene::Shared {
   std::once_flag adjacency_built;
   std::unique_ptr<Adjacency> adjacency;
   std::mutex surfaces_guard;
-  std::map<SurfaceOptions, ContactSurface> surfaces;  // references stay good while it grows
-  std::map<Side, ExactSurface> exact_surfaces;        // likewise
+  std::map<SurfaceOptions, ContactSurface> surfaces, surfaces_here;  // references stay good while they grow
+  std::map<Side, ExactSurface> exact_surfaces;                       // likewise
+
+  const ContactSurface& built(std::map<SurfaceOptions, ContactSurface>& known, const SurfaceOptions& options,
+                              const Scene& scene, const Device& device) {
+    const Adjacency& neighbours = scene.adjacency();
+    const std::lock_guard lock(surfaces_guard);
+    auto place = known.find(options);
+    if (place == known.end()) {
+      place = known.emplace(options, contact_surface(scene.mesh(), neighbours, options, device)).first;
+    }
+    return place->second;
+  }
 };
 
 Scene::Scene(const Model& model, Device device)
@@ -35,13 +46,12 @@ const ExactSurface& Scene::exact_surface(Side side) const {
 }
 
 const ContactSurface& Scene::surface(const SurfaceOptions& options) const {
-  const Adjacency& neighbours = adjacency();
-  const std::lock_guard lock(shared_->surfaces_guard);
-  auto place = shared_->surfaces.find(options);
-  if (place == shared_->surfaces.end()) {
-    place = shared_->surfaces.emplace(options, contact_surface(mesh(), neighbours, options, device_)).first;
-  }
-  return place->second;
+  return shared_->built(shared_->surfaces, options, *this, device_);
+}
+
+const ContactSurface& Scene::surface_here(const SurfaceOptions& options) const {
+  if (!device_.has_own_memory()) return surface(options);
+  return shared_->built(shared_->surfaces_here, options, *this, device_.host());
 }
 
 }  // namespace gabarit

@@ -10,6 +10,7 @@
 #include "checks/ball_probe.h"
 #include "checks/buried.h"
 #include "checks/clear_cells.h"
+#include "checks/exact_ray_probe.h"
 #include "checks/exact_refinement.h"
 #include "checks/ray_probe.h"
 
@@ -42,16 +43,45 @@ BallOptions ball_options(Side side, Extreme extreme, const Arguments& arguments)
       .side = side, .separation = separation(arguments), .greatest = greatest(arguments), .extreme = extreme};
 }
 
+RayOptions ray_options(Side side, const Arguments& arguments) {
+  return {.side = side,
+          .cone = arguments.number("cone"),
+          .rays = static_cast<int>(arguments.number("rays")),
+          .mean = arguments.text("cone value") == "mean",
+          .greatest = greatest(arguments)};
+}
+
 Probe probe_of(Side side, const ContactSurface& surface, const TriangleMesh& mesh, Extreme extreme,
                const Arguments& arguments) {
-  if (!by_ray(arguments)) return ball_probe(surface, ball_options(side, extreme, arguments));
-  return ray_probe(surface, mesh,
-                   {.side = side,
-                    .cone = arguments.number("cone"),
-                    .rays = static_cast<int>(arguments.number("rays")),
-                    .mean = arguments.text("cone value") == "mean",
-                    .greatest = greatest(arguments)});
+  if (by_ray(arguments)) return ray_probe(surface, mesh, ray_options(side, arguments));
+  return ball_probe(surface, ball_options(side, extreme, arguments));
 }
+
+// Between exact surfaces, along rays or by balls.
+struct ExactSearch {
+  std::optional<ExactWalls> balls;
+  std::optional<ExactRayWalls> rays;
+
+  ExactSearch(Side side, const Scene& scene, const ContactSurface& surface, Extreme extreme,
+              const Arguments& arguments) {
+    if (by_ray(arguments)) {
+      rays.emplace(scene, surface, ray_options(side, arguments));
+    } else {
+      balls.emplace(scene, surface,
+                    ExactWallOptions{.side = side,
+                                     .separation = separation(arguments),
+                                     .greatest = greatest(arguments),
+                                     .extreme = extreme});
+    }
+  }
+  std::vector<ExactWall> operator()(std::span<const FacetPlace> places) const {
+    return rays ? rays->measure(places) : balls->measure(places);
+  }
+  Probe probe(Probe base, Extreme extreme) const {
+    if (rays) return exact_ray_probe(std::move(base), *rays, extreme);
+    return exact_probe(std::move(base), *balls, extreme);
+  }
+};
 
 std::string count_text(std::size_t n) { return n == 1 ? "1 facet" : fmt::format("{} facets", n); }
 
@@ -87,7 +117,7 @@ void add_notes(Field& field, Side side, double step, const Arguments& arguments)
 }
 
 bool is_exact(const Scene& scene, const Arguments& arguments) {
-  return scene.model().brep && !by_ray(arguments) && arguments.text("normals") == "smooth";
+  return scene.model().brep && arguments.text("normals") == "smooth";
 }
 
 void add_exact_note(Field& field) {
@@ -118,8 +148,9 @@ std::string method_text(const Arguments& arguments) {
 Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Region& region,
                     const Arguments& arguments) {
   check_used(arguments);
-  const ContactSurface& surface =
-      scene.surface({.side = side, .crease = arguments.number("crease"), .sag = setup.sag});
+  const bool exact = is_exact(scene, arguments);
+  const SurfaceOptions wanted{.side = side, .crease = arguments.number("crease"), .sag = setup.sag};
+  const ContactSurface& surface = exact ? scene.surface_here(wanted) : scene.surface(wanted);
   CellOptions options{.side = side,
                       .smooth = arguments.text("normals") == "smooth",
                       .step = setup.resolution > 0 ? setup.resolution : surface.size / 200,
@@ -129,15 +160,11 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
                       .progress = setup.progress};
   if (arguments.has("step")) options.step = arguments.number("step");
   Probe probe = probe_of(side, surface, scene.mesh(), setup.extreme, arguments);
-  std::optional<ExactWalls> walls;
-  if (is_exact(scene, arguments)) {
-    walls.emplace(scene, surface,
-                  ExactWallOptions{.side = side,
-                                   .separation = separation(arguments),
-                                   .greatest = greatest(arguments),
-                                   .extreme = setup.extreme});
-    probe = exact_probe(std::move(probe), *walls, setup.extreme);
-    if (options.limit > 0 && setup.extreme == Extreme::smallest)
+  std::optional<ExactSearch> walls;
+  if (exact) {
+    walls.emplace(side, scene, surface, setup.extreme, arguments);
+    probe = walls->probe(std::move(probe), setup.extreme);
+    if (walls->balls && options.limit > 0 && setup.extreme == Extreme::smallest)
       probe = with_clear_cells(std::move(probe), surface, ball_options(side, setup.extreme, arguments),
                                {options.limit, options.step, scene.exact_surface(side).greatest_turn()});
     options.limit = 0;  // what lies near it is looked for on the surfaces themselves
@@ -146,7 +173,9 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
                               without_buried(std::move(probe), side, surface, setup));
   add_notes(field, side, options.step, arguments);
   if (walls) {
-    if (setup.extreme == Extreme::smallest) refine_least(field, scene, *walls, setup.limit);
+    const auto measure = [&](std::span<const FacetPlace> places) { return (*walls)(places); };
+    if (setup.extreme == Extreme::smallest)
+      refine_least(field, scene, measure, {.limit = setup.limit, .facets_bind = !by_ray(arguments)});
     add_exact_note(field);
   }
   return field;

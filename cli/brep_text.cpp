@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,36 @@ std::string faces_text(const Brep& brep) {
   std::array<std::size_t, surface_kinds> counts{};
   for (const Face& face : brep.faces) ++counts[static_cast<std::size_t>(brep.surfaces[face.surface].kind)];
   return fmt::format("faces        {}: {}\n", brep.faces.size(), counted<SurfaceKind>(counts));
+}
+
+std::string named_text(const Brep& brep) {
+  const auto named = std::count_if(brep.labels.begin(), brep.labels.end(),
+                                   [](const FaceLabel& label) { return !label.name.empty(); });
+  return named == 0 ? "" : fmt::format("face names   {} of {}\n", named, brep.faces.size());
+}
+
+// "#FF0000 on 3 faces, #AAAAAA on 1 face, none on 12", the most frequent first.
+std::string colours_text(const Brep& brep) {
+  constexpr std::size_t most = 8;
+  std::map<std::uint32_t, std::size_t> counts;
+  std::size_t without = 0;
+  for (const FaceLabel& label : brep.labels) {
+    if (const auto& c = label.colour)
+      ++counts[static_cast<std::uint32_t>(c->red << 16 | c->green << 8 | c->blue)];
+    else
+      ++without;
+  }
+  if (counts.empty()) return "";
+  std::vector<std::pair<std::uint32_t, std::size_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text = fmt::format("colours      {}: ", sorted.size());
+  for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i)
+    text += fmt::format("{}#{:06X} on {} face{}", i == 0 ? "" : ", ", sorted[i].first, sorted[i].second,
+                        sorted[i].second == 1 ? "" : "s");
+  if (sorted.size() > most) text += ", …";
+  if (without > 0) text += fmt::format(", none on {}", without);
+  return text + '\n';
 }
 
 std::string edges_text(const Brep& brep) {
@@ -68,7 +99,8 @@ std::string names_text(const std::vector<std::string>& bodies) {
 std::string brep_text(const Model& model) {
   if (!model.brep) return "";
   const Brep& brep = *model.brep;
-  return names_text(model.bodies) + faces_text(brep) + edges_text(brep) +
+  return names_text(model.bodies) + faces_text(brep) + named_text(brep) + colours_text(brep) +
+         edges_text(brep) +
          fmt::format("tolerance    {} mm at most\nvalid        {}\n", number_text(greatest_tolerance(brep)),
                      brep.invalid_bodies == 0 ? "yes"
                                               : fmt::format("no: {} of {} bodies needed repair",

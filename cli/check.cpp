@@ -120,6 +120,7 @@ static int run_check(const CheckOptions& options) {
   const Device device = choose_device(options.device, options.model.threads);
   static_cast<void>(options.format_list());
   static_cast<void>(options.model.sag_length());
+  static_cast<void>(options.model.facet_size_length());
   check_output_folder(options.out);
   std::optional<std::vector<RuleSet>> sets = read_all_rules(options);
   if (!sets) return exit_bad_input;

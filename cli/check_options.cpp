@@ -76,6 +76,8 @@ ColourMap CheckOptions::palette_map() const {
 static void add_settings(const CheckOptions& options, std::vector<std::string>& words) {
   if (!options.model.units.empty()) words.insert(words.end(), {"--units", options.model.units});
   if (!options.model.sag.empty()) words.insert(words.end(), {"--sag", options.model.sag});
+  if (!options.model.facet_size.empty())
+    words.insert(words.end(), {"--facet-size", options.model.facet_size});
   for (const std::string& rule : options.only) words.insert(words.end(), {"--only", rule});
   if (options.palette_map() != ColourMap::by_limit) words.insert(words.end(), {"--palette", options.palette});
 }

@@ -60,7 +60,7 @@ static int run(int argc, char** argv) {
   app.name("gabarit");
   app.set_version_flag("--version", std::string("gabarit ") + program_version);
   app.require_subcommand(1);
-  app.get_formatter()->column_width(26);
+  app.get_formatter()->column_width(28);
   const std::array commands{check_command(app),    measure_command(app), explain_command(app),
                             validate_command(app), info_command(app),    devices_command(app)};
   // Set last: commands inherit what stands here when they are added.

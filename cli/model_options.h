@@ -11,13 +11,14 @@
 namespace gabarit {
 
 struct ModelOptions {
-  std::string file, units, sag;
+  std::string file, units, sag, facet_size;
   int threads = 0;
 
   void add_file_to(CLI::App& command);
   void add_options_to(CLI::App& command);
-  // In millimetres. Throws UsageError when it is no positive length.
+  // In millimetres. Throw UsageError when it is no positive length.
   std::optional<double> sag_length() const;
+  std::optional<double> facet_size_length() const;
   // Prints what is wrong, or what is to be warned about, on standard error.
   Result<Model> load_model(Progress& progress) const;
 };

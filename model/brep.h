@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,17 @@ struct Surface {
   std::uint32_t first_pole = 0, first_u_knot = 0, first_v_knot = 0;  // the poles of one u lie together
 };
 
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;  // sRGB
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+// What the file says of a face besides its shape.
+struct FaceLabel {
+  std::string name;              // UTF-8; most files name no faces
+  std::optional<Colour> colour;  // its own, or else that of its shell or solid
+};
+
 struct Face {
   std::uint32_t surface = no_number;
   std::uint32_t body = 0;
@@ -139,7 +151,8 @@ struct Brep {
   std::vector<Pole> poles;
   std::vector<double> knots;
   std::vector<Face> faces;  // numbered body by body in the order of the file: the same for the same file
-  std::vector<Edge> edges;  // likewise
+  std::vector<FaceLabel> labels;  // one a face
+  std::vector<Edge> edges;        // numbered like the faces
   std::vector<BrepVertex> vertices;
   // The edges of face f, a seam once: edges_of_face[first_edge_of_face[f] .. [f + 1]].
   std::vector<std::uint32_t> first_edge_of_face;

@@ -62,7 +62,8 @@ Diagnostics unreadable(const std::string& name, const std::string& ending) {
                                           : fmt::format("'{}' files cannot be read by this version", ending);
   const bool packed = ending == ".gz" || ending == ".zip";
   return {{.file = name,
-           .message = fmt::format("{}; it reads .stl, .obj, .ply, .off, .step and .iges: {}", what,
+           .message = fmt::format("{}; it reads .stl, .obj, .ply{}: {}", what,
+                                  step_can_be_read() ? ", .off, .step and .iges" : " and .off",
                                   packed ? "unpack it first" : "export the model as one of them")}};
 }
 
@@ -176,6 +177,12 @@ Result<Model> load(const std::filesystem::path& file, const LoadOptions& options
   const std::string ending = ending_to_read(file, *bytes, model);
   if (Diagnostics errors = read_by_ending(file, *bytes, ending, options, model); !errors.empty())
     return errors;
+  if (options.facet_size && !model.brep)
+    model.warnings.push_back({.level = Diagnostic::Level::warning,
+                              .file = name,
+                              .message =
+                                  "the facets stay as they are in the file: a facet size is for those made "
+                                  "of the exact surfaces of STEP and IGES"});
   model.box = bounding_box(model.mesh);
   progress("counting defects", 0.7);
   model.defects = count_defects(model.mesh);

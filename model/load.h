@@ -13,8 +13,9 @@ namespace gabarit {
 struct LoadOptions {
   std::optional<Unit> unit = {};   // of the coordinates in the file; not given: millimetres, said as assumed
   std::optional<double> sag = {};  // mm; of the facets in the file, or of those made of exact surfaces
-  int threads = 0;                 // 0: all cores
-  double time_limit = 900;         // seconds that a STEP or IGES file may take
+  std::optional<double> facet_size = {};  // mm; no facet made of exact surfaces has a longer side
+  int threads = 0;                        // 0: all cores
+  double time_limit = 900;                // seconds that a STEP or IGES file may take
   std::function<void(const char* stage, double fraction)> progress = {};  // may be empty
 };
 

@@ -37,7 +37,7 @@ Diagnostics iges_errors(std::string_view bytes, const std::string& file) {
 }
 
 // Faces that were written one by one become shells, closed ones solids.
-std::vector<OcctPart> sewn(const std::vector<OcctPart>& found) {
+std::vector<OcctPart> sewn(const std::vector<OcctPart>& found, OcctNames& names) {
   std::vector<OcctPart> result;
   BRepBuilderAPI_Sewing sewing(sewing_tolerance);
   std::string name;
@@ -52,6 +52,10 @@ std::vector<OcctPart> sewn(const std::vector<OcctPart>& found) {
   if (name.empty()) return result;
   sewing.Perform();
   const TopoDS_Shape whole = sewing.SewedShape();
+  for (const OcctPart& part : found) {
+    if (!part.solid)
+      names.hand_on(part.shape, [&](const TopoDS_Shape& face) { return sewing.ModifiedSubShape(face); });
+  }
   TopoDS_Compound loose;
   BRep_Builder().MakeCompound(loose);
   bool any_loose = false;
@@ -84,11 +88,12 @@ Diagnostics read(const std::filesystem::path& file, const LoadOptions& options, 
     return {{.file = file.string(), .message = "is no IGES file that OpenCASCADE can read; export it again"}};
   reader.TransferRoots(progress->start(0.1, 0.5));
   if (progress->time_is_over()) return out_of_time(file.string(), options);
-  std::vector<OcctPart> found = sewn(parts(reader, iges_names(reader), valid_utf8(file.stem().string())));
+  OcctNames names = iges_names(reader);
+  std::vector<OcctPart> found = sewn(parts(reader, names, valid_utf8(file.stem().string())), names);
   const std::string unit = unit_of(reader);
   set_declared_unit(unit.empty() ? std::vector<std::string>{} : std::vector{unit}, file.string(), options,
                     model);
-  return fill_model(std::move(found), file.string(), options, progress, model);
+  return fill_model(std::move(found), std::move(names), file.string(), options, progress, model);
 }
 
 }  // namespace

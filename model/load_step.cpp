@@ -46,14 +46,15 @@ Diagnostics transfer(STEPControl_Reader& reader, const std::filesystem::path& fi
   reader.TransferRoots(progress->start(read_share, transfer_share));
   if (progress->time_is_over()) return out_of_time(file.string(), options);
   set_unit(reader, bytes, file.string(), options, model);
-  std::vector<OcctPart> found = parts(reader, step_names(reader), valid_utf8(file.stem().string()));
+  OcctNames names = step_names(reader);
+  std::vector<OcctPart> found = parts(reader, names, valid_utf8(file.stem().string()));
   if (const std::size_t count = step_bodies_of_facets(bytes); count > 0) {
     Diagnostic unread = facets_unread(file.string(), count);
     if (found.empty()) return {std::move(unread)};
     unread.level = Diagnostic::Level::warning;
     model.warnings.push_back(std::move(unread));
   }
-  return fill_model(std::move(found), file.string(), options, progress, model);
+  return fill_model(std::move(found), std::move(names), file.string(), options, progress, model);
 }
 
 Diagnostics read(const std::filesystem::path& file, std::string_view bytes, const LoadOptions& options,
@@ -68,6 +69,8 @@ Diagnostics read(const std::filesystem::path& file, std::string_view bytes, cons
 }
 
 }  // namespace
+
+bool step_can_be_read() { return true; }
 
 Diagnostics load_step(const std::filesystem::path& file, std::string_view bytes, const LoadOptions& options,
                       Model& model) {

@@ -9,6 +9,8 @@ static Diagnostics not_built(const std::filesystem::path& file) {
                       "(-DGABARIT_STEP=OFF); export the model as STL, or build with it"}};
 }
 
+bool step_can_be_read() { return false; }
+
 Diagnostics load_step(const std::filesystem::path& file, std::string_view, const LoadOptions&, Model&) {
   return not_built(file);
 }

@@ -7,6 +7,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
+#include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <TopExp_Explorer.hxx>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "model/collapsed_facets.h"
 #include "model/occt_tessellation.h"
 #include "model/occt_topology.h"
+#include "model/split_facets.h"
 
 namespace gabarit {
 namespace {
@@ -25,6 +27,7 @@ constexpr double least_fraction = 1e-6;    // likewise
 constexpr double deviation_margin = 1.1;   // of the true greatest deviation over that of the samples
 constexpr double least_sag = 1e-6;         // mm; nothing is known better than that
 constexpr int tessellation_rounds = 4;
+constexpr std::uint64_t most_split_facets = 5'000'000;
 
 double longest_side(const std::vector<OcctPart>& parts) {
   Bnd_Box box;
@@ -42,9 +45,14 @@ double sag_for(double longest) {
 
 class Filling {
  public:
-  Filling(std::vector<OcctPart> parts, const std::string& file, const LoadOptions& options,
+  Filling(std::vector<OcctPart> parts, OcctNames names, const std::string& file, const LoadOptions& options,
           const Handle(OcctProgress) & progress, Model& model)
-      : parts_(std::move(parts)), file_(file), options_(&options), progress_(progress), model_(&model) {}
+      : parts_(std::move(parts)),
+        names_(std::move(names)),
+        file_(file),
+        options_(&options),
+        progress_(progress),
+        model_(&model) {}
 
   Diagnostics run() {
     repair();
@@ -55,6 +63,7 @@ class Filling {
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
       first_face_.push_back(static_cast<FaceId>(model_->brep->faces.size()));
       add_topology(parts_[i].shape, i, *model_->brep);
+      names_.add_labels(parts_[i].shape, model_->brep->labels);
     }
     tessellate();
     if (progress_->time_is_over()) return out_of_time(file_, *options_);
@@ -86,6 +95,7 @@ class Filling {
     ShapeFix_Shape fix(shape);
     fix.Perform(progress_->start(0.5, 0.5));
     const TopoDS_Shape fixed = fix.Shape();
+    names_.hand_on(shape, [&](const TopoDS_Shape& part) { return fix.Context()->Apply(part); });
     const bool whole = !fixed.IsNull() && TopExp_Explorer(fixed, TopAbs_FACE).More();
     const bool good = whole && BRepCheck_Analyzer(fixed).IsValid();
     warn(fmt::format("body '{}' is not valid as it stands in the file; {}", name,
@@ -121,6 +131,7 @@ class Filling {
     first_facet_.clear();
     deviation_.clear();
     facets_ = {};
+    cut_off_ = false;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const TessellationOptions options{.sag = deflections[i]};
       triangulate(parts_[i].shape, options, progress_->start(progress, progress));
@@ -131,9 +142,13 @@ class Filling {
       const auto last = static_cast<FacetId>(model_->mesh.facet_count());
       flip_collapsed_facets(model_->mesh, brep.facets, first, last);
       for (FacetId f = first; f < last; ++f) settle_poles(brep, brep.facets[f]);
+      if (options_->facet_size)
+        cut_off_ |=
+            !split_facets(brep, *options_->facet_size, most_split_facets, first, model_->mesh, brep.facets);
       facets_.faces_without += made.faces_without;
       facets_.edges_unmatched += made.edges_unmatched;
-      deviation_.push_back(greatest_deviation(brep, model_->mesh, first, last));
+      deviation_.push_back(
+          greatest_deviation(brep, model_->mesh, first, static_cast<FacetId>(model_->mesh.facet_count())));
     }
     first_facet_.push_back(static_cast<FacetId>(model_->mesh.facet_count()));
   }
@@ -191,6 +206,9 @@ class Filling {
                       facets_.faces_without));
     if (facets_.edges_unmatched > 0)
       warn(fmt::format("the facets do not fit together along {} edges", facets_.edges_unmatched));
+    if (cut_off_)
+      warn(fmt::format("facets of {:g} mm would be more than {} million; their sides are longer",
+                       *options_->facet_size, most_split_facets / 1'000'000));
     report_trims();
     if (model_->brep->approximated > 0)
       warn(fmt::format(
@@ -209,6 +227,7 @@ class Filling {
   }
 
   std::vector<OcctPart> parts_;
+  OcctNames names_;
   std::string file_;
   const LoadOptions* options_;
   Handle(OcctProgress) progress_;
@@ -218,6 +237,7 @@ class Filling {
   std::vector<FacetId> first_facet_;
   std::vector<double> deviation_;
   Tessellation facets_;
+  bool cut_off_ = false;  // facets of the size asked for would be too many
 };
 
 }  // namespace
@@ -229,13 +249,13 @@ Diagnostics out_of_time(const std::string& file, const LoadOptions& options) {
                               options.time_limit)}};
 }
 
-Diagnostics fill_model(std::vector<OcctPart> parts, const std::string& file, const LoadOptions& options,
-                       const Handle(OcctProgress) & progress, Model& model) {
+Diagnostics fill_model(std::vector<OcctPart> parts, OcctNames names, const std::string& file,
+                       const LoadOptions& options, const Handle(OcctProgress) & progress, Model& model) {
   if (parts.empty())
     return {{.file = file,
              .message = "holds no solid and no surface that OpenCASCADE 7.6 can read: export it as a "
                         "solid, or as STL"}};
-  return Filling(std::move(parts), file, options, progress, model).run();
+  return Filling(std::move(parts), std::move(names), file, options, progress, model).run();
 }
 
 }  // namespace gabarit

@@ -16,16 +16,18 @@ bool rigid(const gp_Trsf& placement) {
 }
 
 // A scaling or mirroring placement goes into the geometry itself.
-TopoDS_Shape with_rigid_placement(const TopoDS_Shape& shape) {
+TopoDS_Shape with_rigid_placement(const TopoDS_Shape& shape, OcctNames& names) {
   const TopLoc_Location& at = shape.Location();
   if (at.IsIdentity() || rigid(at.Transformation())) return shape;
-  return BRepBuilderAPI_Transform(shape.Located(TopLoc_Location()), at.Transformation(), Standard_True)
-      .Shape();
+  const TopoDS_Shape here = shape.Located(TopLoc_Location());
+  BRepBuilderAPI_Transform transform(here, at.Transformation(), Standard_True);
+  names.hand_on(here, [&](const TopoDS_Shape& part) { return transform.ModifiedShape(part); });
+  return transform.Shape();
 }
 
 class Gathering {
  public:
-  Gathering(const OcctNames& names, const std::string& fallback) : names_(&names), fallback_(fallback) {}
+  Gathering(OcctNames& names, const std::string& fallback) : names_(&names), fallback_(fallback) {}
 
   // A compound that holds products is an assembly; what lies loose in one is a part of the assembly's own.
   void add(const TopoDS_Shape& shape, const std::string& outer_name) {
@@ -69,7 +71,7 @@ class Gathering {
   }
 
   void add_shape(const TopoDS_Shape& placed, const std::string& name) {
-    const TopoDS_Shape shape = with_rigid_placement(placed);
+    const TopoDS_Shape shape = with_rigid_placement(placed, *names_);
     const std::size_t first = parts.size();
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) add_part(name, it.Current(), true);
     for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
@@ -107,14 +109,13 @@ class Gathering {
     }
   }
 
-  const OcctNames* names_;
+  OcctNames* names_;
   std::string fallback_;
 };
 
 }  // namespace
 
-std::vector<OcctPart> parts(const XSControl_Reader& reader, const OcctNames& names,
-                            const std::string& fallback) {
+std::vector<OcctPart> parts(const XSControl_Reader& reader, OcctNames& names, const std::string& fallback) {
   Gathering gathering(names, fallback);
   for (int i = 1; i <= reader.NbShapes(); ++i) gathering.add(reader.Shape(i), "");
   return std::move(gathering.parts);

@@ -18,8 +18,7 @@ struct OcctPart {
 
 // Of all that `reader` has transferred, in the order of the file. A part is named after its product; solids
 // that share a product, "product/solid name" where the file names them, else all alike. `fallback` names what
-// has no name.
-std::vector<OcctPart> parts(const XSControl_Reader& reader, const OcctNames& names,
-                            const std::string& fallback);
+// has no name. `names` learns of the shapes that are made anew for mirrored instances.
+std::vector<OcctPart> parts(const XSControl_Reader& reader, OcctNames& names, const std::string& fallback);
 
 }  // namespace gabarit

@@ -36,6 +36,8 @@ Surface spline(Brep& brep, const Handle(Geom_BSplineSurface) & original) {
   s.kind = SurfaceKind::spline;
   set_domain(s, original);
   const Handle(Geom_BSplineSurface) b = Handle(Geom_BSplineSurface)::DownCast(original->Copy());
+  // OpenCASCADE 7.6 leaves weights of 0 in what was periodic without any.
+  const bool rational = original->IsURational() || original->IsVRational();
   if (b->IsUPeriodic()) b->SetUNotPeriodic();
   if (b->IsVPeriodic()) b->SetVNotPeriodic();
   s.u_degree = b->UDegree(), s.v_degree = b->VDegree();
@@ -48,7 +50,8 @@ Surface spline(Brep& brep, const Handle(Geom_BSplineSurface) & original) {
   brep.poles.reserve(brep.poles.size() +
                      static_cast<std::size_t>(s.u_poles) * static_cast<std::size_t>(s.v_poles));
   for (int i = 1; i <= s.u_poles; ++i) {
-    for (int j = 1; j <= s.v_poles; ++j) brep.poles.push_back(pole(b->Pole(i, j), b->Weight(i, j)));
+    for (int j = 1; j <= s.v_poles; ++j)
+      brep.poles.push_back(pole(b->Pole(i, j), rational ? b->Weight(i, j) : 1.0));
   }
   return s;
 }

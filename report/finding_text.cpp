@@ -1,5 +1,6 @@
 #include "report/finding_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -38,6 +39,26 @@ std::string worst_sentence(const Worst& w, const Requirement& require) {
                      require.measure != nullptr ? require.measure->name : "value",
                      with_unit(w.value, require), value_text(w.lower, require), value_text(w.upper, require),
                      require.limit_text, place);
+}
+
+std::string face_text(const Model& model, FacetId facet) {
+  if (!model.brep || facet >= model.brep->facets.size()) return "";
+  const Brep& brep = *model.brep;
+  const FaceId face = brep.facets[facet].face;
+  const std::string name = face < brep.labels.size() ? brep.labels[face].name : "";
+  const SurfaceKind kind = brep.surfaces[brep.faces[face].surface].kind;
+  return fmt::format("face {}{}, {} {}", face, name.empty() ? "" : " '" + name + "'",
+                     kind == SurfaceKind::extrusion ? "an" : "a", gabarit::name(kind));
+}
+
+std::string faces_text(const Finding& finding) {
+  constexpr std::size_t most = 8;
+  if (finding.faces.size() < 2) return "";
+  std::string text = "faces ";
+  for (std::size_t i = 0; i < std::min(most, finding.faces.size()); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", finding.faces[i]);
+  return finding.faces.size() > most ? fmt::format("{} and {} more", text, finding.faces.size() - most)
+                                     : text;
 }
 
 std::string examined_text(const RuleResult& result) {

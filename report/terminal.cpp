@@ -44,16 +44,17 @@ static std::string verdict_word(Verdict verdict, const TerminalStyle& style) {
 
 static std::string line(const std::string& text) { return std::string(15, ' ') + printable(text) + '\n'; }
 
-static std::string finding_line(const Finding& f, const RuleResult& result) {
-  return line(fmt::format("{}  {}: {}; {} facets, {} mm²{}", f.id, name(f.verdict),
+static std::string finding_line(const Finding& f, const RuleResult& result, const Model& model) {
+  const std::string face = face_text(model, f.worst.facet);
+  return line(fmt::format("{}  {}: {}; {} facets, {} mm²{}{}", f.id, name(f.verdict),
                           worst_sentence(f.worst, result.rule.require), f.facets.size(), number_text(f.area),
-                          f.body.empty() ? "" : ", body " + f.body));
+                          f.body.empty() ? "" : ", body " + f.body, face.empty() ? "" : ", " + face));
 }
 
-static std::string findings(const RuleResult& result, const TerminalStyle& style) {
+static std::string findings(const RuleResult& result, const TerminalStyle& style, const Model& model) {
   std::string text;
   for (std::size_t i = 0; i < result.findings.size() && i < style.findings; ++i) {
-    text += finding_line(result.findings[i], result);
+    text += finding_line(result.findings[i], result, model);
   }
   if (result.findings.size() > style.findings)
     text += line(fmt::format("… {} in all", result.findings.size()));
@@ -64,7 +65,7 @@ static std::string findings(const RuleResult& result, const TerminalStyle& style
   return text;
 }
 
-static std::string rule_block(const RuleResult& result, const TerminalStyle& style) {
+static std::string rule_block(const RuleResult& result, const TerminalStyle& style, const Model& model) {
   std::string text = fmt::format("{} {}\n", verdict_word(result.verdict, style),
                                  printable(result.rule.id + "  " + result.rule.title));
   if (!result.reason.empty()) text += line(result.reason);
@@ -73,7 +74,7 @@ static std::string rule_block(const RuleResult& result, const TerminalStyle& sty
   std::string counts = examined_text(result);
   if (result.facets_undecided > 0) counts = fmt::format("{} undecided, ", result.facets_undecided) + counts;
   if (result.facets_failed > 0) counts = fmt::format("{} failed, ", result.facets_failed) + counts;
-  return text + line(counts) + findings(result, style) + '\n';
+  return text + line(counts) + findings(result, style, model) + '\n';
 }
 
 static std::string heading(const Report& report) {
@@ -99,7 +100,7 @@ std::string terminal_report(const Report& report, const TerminalStyle& style) {
   std::string text = heading(report);
   for (const Verdict verdict : order) {
     for (const RuleResult& result : report.outcome->results) {
-      if (result.verdict == verdict) text += rule_block(result, style);
+      if (result.verdict == verdict) text += rule_block(result, style, *report.model);
     }
   }
   return text + totals_line(*report.outcome, style);

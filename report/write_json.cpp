@@ -13,13 +13,26 @@ static Json point(const Vec3d& p) { return Json::array({p.x, p.y, p.z}); }
 
 static Json box(const Box3d& b) { return {{"min", point(b.min)}, {"max", point(b.max)}}; }
 
-static Json worst(const Worst& w, const DisplayUnit& unit) {
-  return {{"value", w.value * unit.factor},
-          {"lower", w.lower * unit.factor},
-          {"upper", w.upper * unit.factor},
-          {"unit", unit.name},
-          {"at", point(w.at)},
-          {"facet", w.facet}};
+// The exact face that a facet lies on: its number, counted from 0, and its name where the file has one.
+static void add_face(Json& json, const Model& m, FacetId facet) {
+  const bool exact = m.brep && facet < m.brep->facets.size();
+  const FaceId face = exact ? m.brep->facets[facet].face : no_number;
+  const bool named = exact && face < m.brep->labels.size() && !m.brep->labels[face].name.empty();
+  json["face"] = exact ? Json(face) : Json();
+  json["face_name"] = named ? Json(m.brep->labels[face].name) : Json();
+}
+
+static Json worst(const Worst& w, const DisplayUnit& unit, const Model& m) {
+  Json json = {{"value", w.value * unit.factor},
+               {"lower", w.lower * unit.factor},
+               {"upper", w.upper * unit.factor},
+               {"unit", unit.name},
+               {"at", point(w.at)},
+               {"facet", w.facet}};
+  const std::uint32_t body = w.facet < m.mesh.facet_count() ? m.mesh.body_of(w.facet) : no_number;
+  json["body"] = body < m.bodies.size() ? Json(m.bodies[body]) : Json();
+  add_face(json, m, w.facet);
+  return json;
 }
 
 static Json model(const Report& report) {
@@ -53,10 +66,15 @@ static Json limit(const Requirement& require, const DisplayUnit& unit) {
   return json;
 }
 
-static Json finding(const Finding& f, const DisplayUnit& unit) {
-  return {{"id", f.id},       {"verdict", name(f.verdict)},    {"facets", f.facets.size()},
-          {"area", f.area},   {"worst", worst(f.worst, unit)}, {"centroid", point(f.centroid)},
-          {"box", box(f.box)}};
+static Json finding(const Finding& f, const DisplayUnit& unit, const Model& m) {
+  return {{"id", f.id},
+          {"verdict", name(f.verdict)},
+          {"facets", f.facets.size()},
+          {"area", f.area},
+          {"worst", worst(f.worst, unit, m)},
+          {"centroid", point(f.centroid)},
+          {"box", box(f.box)},
+          {"faces", f.faces}};
 }
 
 static Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
@@ -88,11 +106,11 @@ static const char* severity(Severity s) {
   return s == Severity::error ? "error" : s == Severity::warning ? "warning" : "note";
 }
 
-static Json rule(const RuleResult& r, const TriangleMesh& mesh) {
+static Json rule(const RuleResult& r, const Model& m) {
   const Measure* const measure = r.rule.require.measure;
   const DisplayUnit unit = display_unit(measure != nullptr ? measure->dimension : Dimension::length);
   Json findings = Json::array();
-  for (const Finding& f : r.findings) findings.push_back(finding(f, unit));
+  for (const Finding& f : r.findings) findings.push_back(finding(f, unit, m));
   return {{"id", r.rule.id},
           {"title", r.rule.title},
           {"clause", r.rule.clause},
@@ -102,10 +120,10 @@ static Json rule(const RuleResult& r, const TriangleMesh& mesh) {
           {"facets_examined", r.facets_examined},
           {"area_examined", r.area_examined},
           {"facets_failed", r.facets_failed},
-          {"worst", r.has_worst ? worst(r.worst, unit) : Json()},
+          {"worst", r.has_worst ? worst(r.worst, unit, m) : Json()},
           {"limit", limit(r.rule.require, unit)},
           {"findings", std::move(findings)},
-          {"statistics", statistics(r, mesh)}};
+          {"statistics", statistics(r, m.mesh)}};
 }
 
 static Json totals(const Totals& t) {
@@ -125,7 +143,7 @@ std::string results_json(const Report& report) {
     rulesets.push_back({{"id", set.id}, {"revision", set.revision}, {"sha256", set.sha256}});
   }
   Json rules = Json::array();
-  for (const RuleResult& result : outcome.results) rules.push_back(rule(result, report.model->mesh));
+  for (const RuleResult& result : outcome.results) rules.push_back(rule(result, *report.model));
   const Json json = {{"schema", "gabarit.results/1"},    {"gabarit", report.version},
                      {"verdict", name(outcome.verdict)}, {"model", model(report)},
                      {"rulesets", std::move(rulesets)},  {"device", outcome.device},

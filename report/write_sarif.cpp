@@ -38,9 +38,13 @@ static std::string uri(const std::string& file) {
   return escaped;
 }
 
-static Json location(const Report& report, const std::string& body) {
+static Json location(const Report& report, const std::string& body, const std::string& face) {
   Json json = {{"physicalLocation", {{"artifactLocation", {{"uri", uri(report.model->file)}}}}}};
-  if (!body.empty()) json["logicalLocations"] = Json::array({{{"name", body}, {"kind", "object"}}});
+  Json names = Json::array();
+  for (const std::string& part : {body, face}) {
+    if (!part.empty()) names.push_back({{"name", part}, {"kind", "object"}});
+  }
+  if (!names.empty()) json["logicalLocations"] = std::move(names);
   return json;
 }
 
@@ -49,7 +53,7 @@ static Json result(const Report& report, const RuleResult& rule, std::size_t ind
   return {
       {"ruleId", rule.rule.id},      {"ruleIndex", index},
       {"kind", kind(verdict)},       {"level", verdict == Verdict::fail ? level(rule.rule.severity) : "none"},
-      {"message", {{"text", text}}}, {"locations", Json::array({location(report, {})})}};
+      {"message", {{"text", text}}}, {"locations", Json::array({location(report, {}, {})})}};
 }
 
 // The same patch of another revision of the model should have the same print: its rule and its place to 10
@@ -63,7 +67,7 @@ static Json finding_result(const Report& report, const RuleResult& rule, std::si
                            const Finding& f) {
   Json json =
       result(report, rule, index, f.verdict, f.id + ": " + worst_sentence(f.worst, rule.rule.require));
-  json["locations"] = Json::array({location(report, f.body)});
+  json["locations"] = Json::array({location(report, f.body, face_text(*report.model, f.worst.facet))});
   json["partialFingerprints"] = {{"gabaritPlace/v1", fingerprint(rule, f)}};
   json["properties"] = {{"finding", f.id},
                         {"facets", f.facets.size()},

@@ -60,6 +60,15 @@ void measure_extent(Finding& finding, const TriangleMesh& mesh) {
                                            : finding.box.centre();
 }
 
+std::vector<FaceId> faces_of(const Brep& brep, const std::vector<FacetId>& facets) {
+  std::vector<FaceId> faces;
+  faces.reserve(facets.size());
+  for (const FacetId f : facets) faces.push_back(brep.facets.at(f).face);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
 struct Ranked {
   Finding finding;
   double excess = 0;
@@ -80,7 +89,9 @@ Ranked describe(const Model& model, const Rule& rule, const Field& field,
   for (const std::size_t entry : entries) finding.facets.push_back(field.facets[entry]);
   finding.worst = worst_at(field, worst);
   measure_extent(finding, model.mesh);
-  if (model.bodies.size() > 1) finding.body = model.bodies.at(model.mesh.body_of(finding.worst.facet));
+  if (model.bodies.size() > 1 || model.brep)
+    finding.body = model.bodies.at(model.mesh.body_of(finding.worst.facet));
+  if (model.brep) finding.faces = faces_of(*model.brep, finding.facets);
   const double e = excess(field, worst, rule.require.limit);
   result.excess = std::isnan(e) ? -std::numeric_limits<double>::infinity() : e;  // keeps the order total
   return result;

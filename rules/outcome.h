@@ -25,7 +25,8 @@ struct Finding {
   Worst worst;
   Vec3d centroid;  // weighted by area
   Box3d box;
-  std::string body;  // of the worst facet; empty when the model has one body
+  std::string body;           // of the worst facet; empty when a mesh is one body
+  std::vector<FaceId> faces;  // that it lies on, ascending; none without exact surfaces
 };
 
 struct RuleResult {

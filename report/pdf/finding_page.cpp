@@ -105,6 +105,9 @@ std::vector<Fact> facts(const Book& book, const RuleResult& result, const Findin
   if (!(f.worst.contact == f.worst.at) && is_finite(f.worst.contact))
     list.push_back({"Other end", place_text(f.worst.contact) + " mm"});
   if (!f.body.empty()) list.push_back({"Body", f.body});
+  if (const std::string face = face_text(book.model(), f.worst.facet); !face.empty())
+    list.push_back({"Worst on", face});
+  if (const std::string faces = faces_text(f); !faces.empty()) list.push_back({"Reaches over", faces});
   list.push_back({"Rule", result.rule.id});
   if (!result.rule.clause.empty()) list.push_back({"Clause", result.rule.clause});
   list.push_back({"Facets in", f.verdict == Verdict::fail ? "violations/" + result.rule.id + ".stl"

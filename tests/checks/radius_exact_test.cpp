@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "checks/facet_turns.h"
+#include "model/brep_curvature.h"
 #include "tests/shapes.h"
 #include "tests/step_shapes.h"
 
@@ -138,6 +139,90 @@ TEST_F(RadiusExact, the_free_edge_of_an_open_surface_is_unknown) {
   Region region = whole_model(model.mesh);
   const Field open = measure_exact_radius(Scene(model, Device::cpu()), region);
   for (const double lower : open.lower) EXPECT_EQ(lower, 0);
+}
+
+Field of_faces_alone(const Model& model) {
+  Region region = whole_model(model.mesh);
+  region.edges.assign(model.mesh.facet_count(), {Selected::no, Selected::no, Selected::no});
+  return measure_exact_radius(Scene(model, Device::cpu()), region);
+}
+
+// The greatest curvature on a dense grid of the facet, a hair inside it: what lies beyond a knot is the next
+// one's.
+double sharpest_by_force(const Model& model, FacetId f) {
+  constexpr int n = 60;
+  const BrepView brep = view(*model.brep);
+  const FacetOrigin& origin = model.brep->facets[f];
+  const Face& face = model.brep->faces[origin.face];
+  double most = 0;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; i + j <= n; ++j) {
+      constexpr double inside = 1 - 1e-9, third = 1e-9 / 3;
+      const double v = inside * i / n + third, w = inside * j / n + third;
+      const SurfacePoint s = face_point(brep, face, parameters_at(origin, 1 - v - w, v, w));
+      most = std::max(most, principal_curvatures(s, face.sign).greatest);
+    }
+  }
+  return most;
+}
+
+TEST_F(RadiusExact, an_elliptic_cylinder_is_as_sharp_as_b2_by_a) {
+  LoadOptions coarse;
+  coarse.sag = 0.3;
+  for (const TopoDS_Shape& shape : {step_shapes::elliptic_cylinder(10, 6, 30),
+                                    step_shapes::turned(step_shapes::elliptic_cylinder(10, 6, 30), 33),
+                                    step_shapes::as_splines(step_shapes::elliptic_cylinder(10, 6, 30))}) {
+    const Field field = of_faces_alone(loaded(step(shape), coarse));
+    EXPECT_NEAR(*std::min_element(field.value.begin(), field.value.end()), 3.6, 2e-6);
+    const double lower = *std::min_element(field.lower.begin(), field.lower.end());
+    EXPECT_LE(lower, 3.6);
+    EXPECT_GT(lower, 3.4);
+  }
+}
+
+TEST_F(RadiusExact, the_bounds_of_splines_hold_what_a_dense_grid_finds) {
+  LoadOptions coarse;
+  coarse.sag = 0.5;
+  std::vector<double> one_sharp(24, 10.0);
+  one_sharp[5] = 10.4;
+  for (const TopoDS_Shape& shape :
+       {step_shapes::lobed_cylinder(one_sharp, 20), step_shapes::lobed_cylinder({10, 7, 10, 7, 10, 7}, 20),
+        step_shapes::elliptic_cylinder(10, 6, 30)}) {
+    const Model model = loaded(step(shape), coarse);
+    const Field field = of_faces_alone(model);
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      const double most = sharpest_by_force(model, field.facets[i]);
+      if (field.value[i] == infinity) {
+        EXPECT_LT(most, 1e-9);
+        continue;
+      }
+      EXPECT_LE(most * field.lower[i], 1 + 1e-5) << "facet " << field.facets[i];
+      EXPECT_LE(most * field.value[i], 1.002) << "facet " << field.facets[i];
+      EXPECT_LE(field.lower[i], field.value[i]);
+    }
+  }
+}
+
+TEST_F(RadiusExact, splines_that_are_balls_rings_and_fillets_read_their_radius_without_doubt) {
+  const auto least = [&](const TopoDS_Shape& shape) {
+    const Field field = of_faces_alone(loaded(step(step_shapes::as_splines(shape))));
+    return std::pair{*std::min_element(field.lower.begin(), field.lower.end()),
+                     *std::min_element(field.upper.begin(), field.upper.end())};
+  };
+  EXPECT_EQ(least(step_shapes::sphere(7)), std::pair(7.0, 7.0));
+  EXPECT_EQ(least(step_shapes::torus(20, 5)), std::pair(5.0, 5.0));
+  EXPECT_EQ(least(step_shapes::rounded_box(60, 40, 30, 4)), std::pair(4.0, 4.0));
+}
+
+TEST_F(RadiusExact, a_surface_without_points_has_no_radius_rather_than_none_that_is_too_small) {
+  Model model = model_of(step_shapes::as_splines(step_shapes::torus(20, 5)));
+  for (Pole& pole : model.brep->poles) pole.w = 0;
+  const Field field = of_faces_alone(model);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    EXPECT_TRUE(std::isnan(field.value[i]));
+    EXPECT_NE(field.absence[i], Absence::none);
+    EXPECT_EQ(field.lower[i], 0);
+  }
 }
 
 // One face, an extrusion along z of a line with a corner: an angle iron seen from outside or inside.

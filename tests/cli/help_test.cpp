@@ -67,6 +67,7 @@ TEST(usage, a_mistake_ends_with_2_and_names_what_was_probably_meant) {
       {{"info", "--threads", "0", "a.stl"}, "--threads: Value 0 not in range 1 to 4096"},
       {{"info", "--sag", "0.1", "a.stl"}, "--sag: `0.1` has no unit"},
       {{"info", "--sag", "-1 mm", "a.stl"}, "--sag must be more than 0, not -1 mm"},
+      {{"info", "--facet-size", "0 mm", "a.step"}, "--facet-size must be more than 0, not 0 mm"},
       {{"info", "--sag", "2 deg", "a.stl"}, "`2 deg` is an angle, a length is wanted"},
       {{"check", "a.stl", "--rules", "b", "--out", ""}, "--out is empty"},
       {{"check", "a.stl", "--rules", "b", "--out", "c", "--formats", "jsn"},

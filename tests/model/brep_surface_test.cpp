@@ -131,6 +131,28 @@ TEST(BrepSurface, periodic_splines_agree_with_opencascade_in_every_turn) {
   expect_same(s, range);
 }
 
+TEST(BrepSurface, periodic_splines_without_weights_agree_with_opencascade) {
+  constexpr int around = 8, along = 4;
+  TColgp_Array2OfPnt poles(1, around, 1, along);
+  for (int i = 1; i <= around; ++i) {
+    const double angle = i * 2 * std::numbers::pi / around;
+    for (int j = 1; j <= along; ++j)
+      poles(i, j) = gp_Pnt((10 + j % 2) * std::cos(angle), 10 * std::sin(angle), 7 * j);
+  }
+  TColStd_Array1OfReal u(1, around + 1), v(1, 2);
+  TColStd_Array1OfInteger mu(1, around + 1), mv(1, 2);
+  for (int i = 1; i <= around + 1; ++i) u(i) = i, mu(i) = 1;
+  v(1) = 0, v(2) = 1, mv(1) = mv(2) = 4;
+  for (const bool along_u : {true, false}) {
+    const Handle(Geom_BSplineSurface) s = new Geom_BSplineSurface(poles, u, v, mu, mv, 3, 3, true, false);
+    if (!along_u) s->ExchangeUV();
+    ASSERT_FALSE(s->IsURational() || s->IsVRational());
+    ParameterBox range;
+    s->Bounds(range.u0, range.u1, range.v0, range.v1);
+    expect_same(s, range);
+  }
+}
+
 TEST(BrepSurface, extrusions_and_revolutions_agree_with_opencascade_on_every_kind_of_curve) {
   const gp_Ax2 at(gp_Pnt(20, 0, 1), gp_Dir(0, 1, 0));
   const gp_Ax1 axis(gp_Pnt(1, 2, 3), gp_Dir(0, 0.1, 1));

@@ -1,11 +1,11 @@
 #include "model/load_step.h"
 
-#include <fstream>
 #include <numbers>
 #include <regex>
-#include <sstream>
 
 #include <gmock/gmock.h>
+#include <gp_Ax1.hxx>
+#include <gp_Trsf.hxx>
 
 #include "model/brep_curvature.h"
 #include "tests/step_shapes.h"
@@ -14,6 +14,8 @@ namespace gabarit {
 namespace {
 
 using step_shapes::loaded;
+using step_shapes::replaced;
+using step_shapes::text_of;
 using step_shapes::volume;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -21,12 +23,6 @@ using testing::IsEmpty;
 constexpr double pi = std::numbers::pi;
 
 class LoadStep : public step_shapes::StepFiles {};
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 std::string error_of(const std::filesystem::path& file) {
   const Result<Model> model = load(file);
@@ -152,15 +148,23 @@ TEST_F(LoadStep, an_assembly_gives_named_placed_bodies_and_every_instance_is_one
   EXPECT_EQ(model.mesh.body.back(), 2U);
 }
 
-std::string replaced(std::string content, const std::string& what, const std::vector<std::string>& by) {
-  std::size_t at = 0;
-  for (const std::string& text : by) {
-    at = content.find(what, at);
-    if (at == std::string::npos) return "no " + what;
-    content.replace(at, what.size(), text);
-    at += text.size();
-  }
-  return content;
+TEST_F(LoadStep, placements_of_nested_assemblies_follow_one_another) {
+  gp_Trsf along, turned;
+  along.SetTranslation(gp_Vec(100, 0, 0));
+  turned.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), pi / 2);
+  const Model model = loaded(nested({{"plate", step_shapes::box(50, 20, 5)},
+                                     {"block", step_shapes::moved(step_shapes::box(4, 4, 4), 10, 0, 5)}},
+                                    along, turned));
+  EXPECT_THAT(model.bodies, ElementsAre("plate", "block", "plate", "block"));
+  EXPECT_TRUE(watertight(model.defects));
+  EXPECT_NEAR(volume(model), 2 * (5000 + 64), 1e-6);
+  std::vector<Box3d> boxes(4);
+  for (FacetId f = 0; f < model.mesh.facet_count(); ++f)
+    for (int i = 0; i < 3; ++i) boxes[model.mesh.body_of(f)].add(model.mesh.corner(f, i));
+  EXPECT_LT(length(boxes[0].min - Vec3d{100, 0, 0}), 1e-9);
+  EXPECT_LT(length(boxes[1].max - Vec3d{114, 4, 9}), 1e-9);
+  EXPECT_LT(length(boxes[2].max - Vec3d{0, 50, 5}), 1e-9);
+  EXPECT_LT(length(boxes[3].min - Vec3d{-4, 10, 5}), 1e-9);
 }
 
 TEST_F(LoadStep, solids_of_one_product_are_told_apart_by_their_own_names_where_they_have_any) {

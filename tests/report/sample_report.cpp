@@ -97,6 +97,23 @@ SampleReport::SampleReport() : model(shapes::model(shapes::box({0, 0, 0}, {10, 2
   outcome.verdict = overall(outcome.results);
 }
 
+void SampleReport::add_exact_faces() {
+  Brep& brep = model.brep.emplace();
+  brep.surfaces.resize(1);
+  brep.faces.resize(2);
+  for (Face& face : brep.faces) face.surface = 0;
+  brep.labels = {{}, {"Deckfläche", {}}};
+  brep.facets.resize(model.mesh.facet_count());
+  for (FacetOrigin& facet : brep.facets) facet.face = 0;
+  brep.facets[0].face = 1;
+  for (RuleResult& result : outcome.results) {
+    for (Finding& f : result.findings) {
+      f.body = "body";
+      f.faces = f.facets.size() > 1 ? std::vector<FaceId>{0, 1} : std::vector<FaceId>{1};
+    }
+  }
+}
+
 RuleResult& SampleReport::rule(const std::string& id) {
   for (RuleResult& result : outcome.results) {
     if (result.rule.id == id) return result;

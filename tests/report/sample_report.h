@@ -11,6 +11,9 @@ class SampleReport {
  public:
   SampleReport();
   Report report() const { return make_report(model, outcome); }
+  // Makes the model an exact one with two plane faces: 1, called "Deckfläche", under facet 0, and 0
+  // elsewhere.
+  void add_exact_faces();
   RuleResult& rule(const std::string& id);
 
   Model model;

@@ -45,6 +45,16 @@ TEST(terminal_report, lists_ten_findings_and_says_how_many_there_are) {
   EXPECT_THAT(text, HasSubstr("… 12 in all"));
 }
 
+TEST(terminal_report, a_finding_names_the_body_and_the_exact_face_of_its_worst_facet) {
+  SampleReport sample;
+  sample.add_exact_faces();
+  EXPECT_THAT(terminal_report(sample.report()),
+              HasSubstr("2 facets, 12.5 mm², body body, face 1 'Deckfläche', a plane\n"));
+  sample.model.brep->labels[1].name.clear();
+  sample.model.brep->surfaces[0].kind = SurfaceKind::extrusion;
+  EXPECT_THAT(terminal_report(sample.report()), HasSubstr("body body, face 1, an extrusion\n"));
+}
+
 TEST(terminal_report, colours_only_when_asked) {
   EXPECT_THAT(terminal_report(SampleReport().report()), Not(HasSubstr("\033")));
   EXPECT_THAT(terminal_report(SampleReport().report(), {.colour = true}), HasSubstr("\033[1;31mFAIL"));

@@ -32,9 +32,10 @@ TEST(results_json, has_the_keys_of_the_contract_in_their_order) {
                           "area_without_value", "ranges"));
   EXPECT_THAT(keys(json["rules"][1]["statistics"]["ranges"][0]),
               ElementsAre("from", "to", "area", "share", "critical"));
-  EXPECT_THAT(keys(json["rules"][1]["worst"]), ElementsAre("value", "lower", "upper", "unit", "at", "facet"));
+  EXPECT_THAT(keys(json["rules"][1]["worst"]),
+              ElementsAre("value", "lower", "upper", "unit", "at", "facet", "body", "face", "face_name"));
   EXPECT_THAT(keys(json["rules"][1]["findings"][0]),
-              ElementsAre("id", "verdict", "facets", "area", "worst", "centroid", "box"));
+              ElementsAre("id", "verdict", "facets", "area", "worst", "centroid", "box", "faces"));
   EXPECT_THAT(keys(json["totals"]),
               ElementsAre("planned", "passed", "failed", "undecided", "not_applicable", "not_run", "waived"));
   EXPECT_EQ(json["schema"], "gabarit.results/1");
@@ -56,6 +57,23 @@ TEST(results_json, says_what_was_found) {
   EXPECT_EQ(json["rules"][1]["statistics"]["ranges"][7]["to"], 20.0);
   EXPECT_EQ(json["totals"]["planned"], 5);
   EXPECT_EQ(json["totals"]["not_run"], 1);
+}
+
+TEST(results_json, names_the_body_and_the_exact_face_of_the_worst_facet) {
+  SampleReport sample;
+  EXPECT_EQ(Json::parse(results_json(sample.report()))["rules"][1]["worst"]["body"], "body");
+  EXPECT_EQ(Json::parse(results_json(sample.report()))["rules"][1]["worst"]["face"], nullptr);
+  sample.add_exact_faces();
+  const Json failing = Json::parse(results_json(sample.report()))["rules"][1];
+  for (const Json& worst : {failing["worst"], failing["findings"][0]["worst"]}) {
+    EXPECT_EQ(worst["body"], "body");
+    EXPECT_EQ(worst["face"], 1);
+    EXPECT_EQ(worst["face_name"], "Deckfläche");
+  }
+  EXPECT_EQ(failing["findings"][0]["faces"], Json::array({0, 1}));
+  EXPECT_EQ(Json::parse(results_json(sample.report()))["rules"][0]["worst"]["face"], 1);
+  sample.model.brep->labels[1].name.clear();
+  EXPECT_EQ(Json::parse(results_json(sample.report()))["rules"][1]["worst"]["face_name"], nullptr);
 }
 
 TEST(results_json, numbers_read_back_to_the_same_bits) {

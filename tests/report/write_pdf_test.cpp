@@ -87,6 +87,19 @@ TEST(write_pdf, a_finding_has_a_page_with_its_place_in_both_frames_and_its_stl) 
   ADD_FAILURE() << "no page for the finding";
 }
 
+TEST(write_pdf, the_page_of_a_finding_on_exact_surfaces_names_its_body_and_its_faces) {
+  SampleReport sample;
+  sample.add_exact_faces();
+  for (const std::string& page : pdf_pages(sample.report())) {
+    if (page.find("Finding failing/1") == std::string::npos || page.find("Place, model") == std::string::npos)
+      continue;
+    EXPECT_THAT(page, AllOf(HasSubstr("Body body"), HasSubstr("Worst on face 1 'Deckfläche', a plane"),
+                            HasSubstr("Reaches over faces 0, 1")));
+    return;
+  }
+  ADD_FAILURE() << "no page for the finding";
+}
+
 TEST(write_pdf, the_item_page_says_where_the_sag_comes_from) {
   SampleReport sample;
   sample.model.sag.reset();

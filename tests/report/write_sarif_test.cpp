@@ -71,6 +71,16 @@ TEST(sarif_json, the_print_of_a_finding_stays_when_it_moves_a_little) {
   EXPECT_NE(print(), before);
 }
 
+TEST(sarif_json, a_finding_on_exact_surfaces_has_its_body_and_its_face_as_logical_locations) {
+  SampleReport sample;
+  EXPECT_FALSE(result_of(sarif_run(sample), "failing")["locations"][0].contains("logicalLocations"));
+  sample.add_exact_faces();
+  const Json names = result_of(sarif_run(sample), "failing")["locations"][0]["logicalLocations"];
+  ASSERT_EQ(names.size(), 2U);
+  EXPECT_EQ(names[0]["name"], "body");
+  EXPECT_EQ(names[1]["name"], "face 1 'Deckfläche', a plane");
+}
+
 TEST(sarif_json, says_how_many_results_are_left_out) {
   SampleReport sample;
   auto& findings = sample.rule("failing").findings;

@@ -1,6 +1,7 @@
 #include "rules/engine.h"
 
 #include <cmath>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,6 +59,22 @@ TEST(Engine, failing_facets_become_one_finding_a_connected_patch) {
   EXPECT_DOUBLE_EQ(result.findings[1].centroid.x, 45.0);
   EXPECT_EQ(result.facets_failed, 4U);
   EXPECT_DOUBLE_EQ(result.area_failed, 200.0);
+}
+
+TEST(Engine, findings_on_exact_surfaces_name_their_body_and_the_faces_they_lie_on) {
+  Model model = two_boxes();
+  ASSERT_EQ(model.bodies.size(), 1U);
+  Brep& brep = model.brep.emplace();
+  for (FacetId f = 0; f < model.mesh.facet_count(); ++f) brep.facets.emplace_back().face = f / 3;
+  const Outcome outcome = run_rule(model, fake::rule("top", altitude, at_most(9)));
+  const RuleResult& result = outcome.results.at(0);
+  ASSERT_EQ(result.findings.size(), 2U);
+  for (const Finding& finding : result.findings) {
+    EXPECT_EQ(finding.body, model.bodies[0]);
+    std::set<FaceId> faces;
+    for (const FacetId f : finding.facets) faces.insert(f / 3);
+    EXPECT_EQ(finding.faces, std::vector<FaceId>(faces.begin(), faces.end()));
+  }
 }
 
 TEST(Engine, permuted_facets_give_the_same_findings) {
