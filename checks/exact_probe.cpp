@@ -54,8 +54,8 @@ std::vector<ExactWall> ExactWalls::measure(std::span<const FacetPlace> places) c
     walls[i].at = there.point.p, walls[i].measured = there.present;
     if (!there.present) continue;
     const PrincipalCurvatures k = principal_curvatures(there.point, view.brep.faces[origin.face].sign);
-    queries.push_back({there.point.p, there.normal * -view.side,
-                       options_.side == Side::inside ? k.greatest : -k.least});
+    queries.push_back(
+        {there.point.p, there.normal * -view.side, options_.side == Side::inside ? k.greatest : -k.least});
     number.push_back(i);
   }
   std::vector<ExactBall> balls(queries.size());

@@ -32,21 +32,19 @@ class ExactRaySearch {
   float limit() const { return limit_; }
 
   template <class Boxes>
-  unsigned within(const Boxes& node, float (&lower)[tree_width]) const {
-    unsigned mask = 0;
+  void within(const Boxes& node, EightFloats& lower) const {
     for (int i = 0; i < tree_width; ++i) {
       float near = 0, far = limit_;
       for (int k = 0; k < 3; ++k) {
         const bool up = inverse_[k] > 0;
-        const float u = ((up ? node.lo : node.hi)[k][i] - enter_from_[k]) * inverse_[k];
-        const float v = ((up ? node.hi : node.lo)[k][i] - leave_from_[k]) * inverse_[k];
+        const float u = ((up ? node.low(k, i) : node.high(k, i)) - enter_from_[k]) * inverse_[k];
+        const float v = ((up ? node.high(k, i) : node.low(k, i)) - leave_from_[k]) * inverse_[k];
         near = u > near ? u : near;
         far = v < far ? v : far;
       }
-      lower[i] = near * (1 - 4e-6F);
-      mask |= lower[i] <= far * (1 + 4e-6F) ? 1U << i : 0U;
+      near *= 1 - 4e-6F;
+      lower[i] = near <= far * (1 + 4e-6F) ? near : std::numeric_limits<float>::infinity();
     }
-    return mask;
   }
 
   void visit(const Primitive& p) {

@@ -70,18 +70,6 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   if (!device.has_own_memory() || !take(build_there(device, surface, origin_))) build_here(surface);
 }
 
-Bvh Bvh::on_host() const {
-  Bvh copy = *this;
-  const Device host = copy.device_ = device_.host();
-  copy.nodes_ = {host, nodes_.read()};
-  copy.leaves_ = {host, leaves_.read()};
-  copy.primitives_ = {host, primitives_.read()};
-  copy.points_ = {host, points_.read()};
-  copy.fan_first_ = {host, fan_first_.read()};
-  copy.fan_directions_ = {host, fan_directions_.read()};
-  return copy;
-}
-
 bool Bvh::take(std::optional<TreeThere> tree) {
   if (!tree) return false;
   nodes_ = std::move(tree->nodes);

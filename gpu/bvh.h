@@ -77,8 +77,6 @@ class Bvh {
   Bvh(const Device& device, FacetSurface surface);
 
   BvhView view() const;  // of the device's memory
-  // A copy in the memory of the CPU beside the device, for what only a CPU computes.
-  Bvh on_host() const;
   const Device& device() const { return device_; }
   std::size_t bytes() const;
   // Ids in the order of the tree: neighbours in the list are neighbours in space.

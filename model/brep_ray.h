@@ -2,7 +2,8 @@
 #pragma once
 
 #include "model/brep_edge.h"
-#include "model/brep_tangent_ball.h"
+#include "model/brep_nearest.h"
+#include "model/brep_trim.h"
 
 namespace gabarit {
 
