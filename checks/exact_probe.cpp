@@ -12,8 +12,13 @@ constexpr double floor_share = 1e-6;  // of the model's size: contacts nearer th
 
 void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
   if (!wall.measured || answer.absence != Absence::none || !std::isfinite(wall.value)) return;
-  // What the facets' own bounds exclude was not found, or found wrongly: then the facets keep the word.
-  if (wall.value > answer.upper * (1 + 1e-6) || wall.value < answer.lower * (1 - 1e-6)) return;
+  // What the facets' own bounds exclude was not found, or counts on the surfaces only: then the facets keep
+  // the word, but a place that the surfaces call thinner is not known to be as thick as the facets say.
+  if (wall.value > answer.upper * (1 + 1e-6)) return;
+  if (wall.value < answer.lower * (1 - 1e-6)) {
+    answer.lower = wall.value - wall.off;
+    return;
+  }
   answer.value = rounded_wall(wall.value);
   answer.at = wall.at;
   answer.contact = wall.ball.contact;

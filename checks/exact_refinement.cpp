@@ -99,9 +99,12 @@ void keep(Field& field, const Descent& d, const RefineOptions& options) {
   if (!d.least.measured || !std::isfinite(d.least.value)) return;
   const std::size_t row = d.row;
   const double least = rounded_wall(d.least.value);
-  // What the facets' own bounds exclude was not found, or found wrongly.
-  const bool excluded = least > field.upper[row] * (1 + 1e-6) || least < field.lower[row] * (1 - 1e-6);
-  if (options.facets_bind && excluded) return;
+  // What the facets' own bounds exclude was not found, or counts on the surfaces only.
+  if (options.facets_bind && least > field.upper[row] * (1 + 1e-6)) return;
+  if (options.facets_bind && least < field.lower[row] * (1 - 1e-6)) {
+    field.lower[row] = least - d.least.off;
+    return;
+  }
   if (least < field.value[row]) {
     field.value[row] = least;
     field.at[row] = d.least.at;

@@ -181,5 +181,35 @@ TEST_F(ExactBallTest, an_edge_that_lies_partly_behind_the_surface_is_followed) {
   expect_none_beats(part, 4000);
 }
 
+// Ten millimetres between the surfaces, at the middle of the facets across the thin way of a box.
+CellAnswer beside_facets_that_say(const Part& part, double value, double lower, double upper) {
+  CellAnswer facets;
+  facets.value = value, facets.lower = lower, facets.upper = upper;
+  const Probe probe = exact_probe([&](std::span<const CellQuery>, std::span<CellAnswer> a) { a[0] = facets; },
+                                  part.walls, Extreme::smallest);
+  for (FacetId f = 0; f < part.model.mesh.facet_count(); ++f) {
+    if (std::fabs(facet_normal(part.model.mesh, f).x) < 0.5) continue;
+    CellQuery query;
+    query.facet = f, query.weights = {1.0 / 3, 1.0 / 3};
+    CellAnswer answer;
+    probe({&query, 1}, {&answer, 1});
+    return answer;
+  }
+  return {};
+}
+
+TEST_F(ExactBallTest, a_place_that_the_surfaces_call_thinner_cannot_pass_on_the_word_of_its_facet) {
+  const Part part(loaded(step(step_shapes::box(10, 40, 60))), wall, Side::inside, 1);
+  const CellAnswer agreed = beside_facets_that_say(part, 10.1, 9, 11);
+  EXPECT_EQ(agreed.value, 10);
+  EXPECT_EQ(agreed.lower, 9);
+  const CellAnswer thinner = beside_facets_that_say(part, 13, 12, 14);
+  EXPECT_EQ(thinner.value, 13);
+  EXPECT_NEAR(thinner.lower, 10, 1e-9);
+  const CellAnswer thicker = beside_facets_that_say(part, 8, 7, 9);
+  EXPECT_EQ(thicker.value, 8);
+  EXPECT_EQ(thicker.lower, 7);
+}
+
 }  // namespace
 }  // namespace gabarit
