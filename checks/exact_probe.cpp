@@ -19,6 +19,12 @@ void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
     answer.lower = wall.value - wall.off;
     return;
   }
+  take_value(wall, extreme, answer);
+}
+
+}  // namespace
+
+void take_value(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
   answer.value = rounded_wall(wall.value);
   answer.at = wall.at;
   answer.contact = wall.ball.contact;
@@ -27,8 +33,6 @@ void make_exact(const ExactWall& wall, Extreme extreme, CellAnswer& answer) {
   answer.lower = extreme == Extreme::greatest && wall.ball.verified ? lower : std::min(answer.lower, lower);
   answer.greatest = std::max(answer.greatest, answer.upper);
 }
-
-}  // namespace
 
 SurfacePlace surface_place(const BrepView& brep, const FacetOrigin& facet,
                            const std::array<double, 2>& weights) {

@@ -64,6 +64,10 @@ class ExactWalls {
 // The same on any number of threads.
 using ExactMeasure = std::function<std::vector<ExactWall>(std::span<const FacetPlace>)>;
 
+// Value, place and upper bound of the answer become those of the surfaces; the lower bound does where the
+// greatest value is looked for and the ball was verified, else it may only fall.
+void take_value(const ExactWall& wall, Extreme extreme, CellAnswer& answer);
+
 // Values and upper bounds are those of the exact surfaces; what lies between the places of a cell keeps the
 // lower bound that `base` gives for facets with their sag.
 Probe exact_probe(Probe base, const ExactWalls& walls, Extreme extreme);

@@ -34,13 +34,7 @@ void make_exact(const ExactWall& wall, Extreme extreme, double greatest, CellAns
     answer.upper = answer.greatest = infinity;
     return;
   }
-  answer.value = rounded_wall(wall.value);
-  answer.at = wall.at;
-  answer.contact = wall.ball.contact;
-  answer.upper = answer.value + wall.off;
-  const double lower = answer.value - wall.off;
-  answer.lower = extreme == Extreme::greatest && wall.ball.verified ? lower : std::min(answer.lower, lower);
-  answer.greatest = std::max(answer.greatest, answer.upper);
+  take_value(wall, extreme, answer);
 }
 
 // The facet's other cells read no more, whatever the surfaces say here.
