@@ -37,7 +37,7 @@ GABARIT_HD inline void visit_leaf(const BvhView& tree, const BvhLeaf& leaf, Quer
   EightFloats lower;
   query.within(leaf, lower);
   unsigned mask = no_greater<set>(lower, query.limit()) & ((1U << leaf.count) - 1);
-  for (; mask != 0;) {
+  while (mask != 0) {
     int next = lowest_bit(mask);
     if constexpr (!requires { typename Query::cheap_to_visit; }) {
       for (unsigned rest = mask & (mask - 1); rest != 0; rest &= rest - 1)
@@ -54,8 +54,8 @@ struct TreeEntry {
   std::uint32_t child;
 };
 
-// The children within the limit, in order on the stack but for the nearest, which needs no turn. Returns the
-// new top; `now` stays what it was when there is no child.
+// The children within the limit, in order on the stack from `base` on, but for the nearest, which becomes
+// `now`: it needs no turn. Returns the new top, or -1 when there is no child.
 template <VectorSet set, class Query>
 GABARIT_HD inline int sort_children(const BvhNode& node, Query& query, TreeEntry& now, TreeEntry* stack,
                                     int base) {
