@@ -22,10 +22,10 @@ class ExactBallSearch {
         pencil_{query.point, query.direction},
         axis_(query.direction * view.side),
         least_facing_(-options.cos_separation),
-        angle_(std::acos(least_facing_ < -1 ? -1.0 : least_facing_)),
+        angle_(arc_cosine(least_facing_ < -1 ? -1.0 : least_facing_)),
         culling_(view.tree, loosened(options, angle_ + view.normal_error), query.point, query.direction) {
     const double loose = angle_ + view.normal_error + 1e-6;
-    loose_facing_ = loose < pi ? std::cos(loose) : -1;
+    loose_facing_ = loose < pi ? cosine(loose) : -1;
     set_reach(options.greatest_radius);
     if (least_facing_ <= -1 + 1e-12 && query.own_curvature > 0) curve_in(query);
   }
@@ -71,8 +71,7 @@ class ExactBallSearch {
 
   // `angle`: by which the normals of facets may turn away from the direction.
   GABARIT_HD static SphereOptions loosened(const ExactBallOptions& options, double angle) {
-    return {angle + 1e-6 < pi ? -std::cos(angle + 1e-6) : 1.0, options.greatest_radius,
-            options.contact_floor};
+    return {angle + 1e-6 < pi ? -cosine(angle + 1e-6) : 1.0, options.greatest_radius, options.contact_floor};
   }
 
   GABARIT_HD void curve_in(const ExactBallQuery& query) {
@@ -142,7 +141,7 @@ class ExactBallSearch {
       if (n == Vec3d{}) return true;
       facing = dot(n, axis_);
     }
-    return facing >= least_facing_ || facing >= std::cos(angle_ + turn);
+    return facing >= least_facing_ || facing >= cosine(angle_ + turn);
   }
 
   // What there is no more to find on a face.
@@ -242,7 +241,7 @@ class ExactBallSearch {
   GABARIT_HD bool on_rim(const Primitive& p) const {
     if (!p.is_facet()) return true;
     const double turn = static_cast<double>(view_.facet_turns[p.id]) + 1e-6;
-    return angle_ > turn && dot(p.normal, pencil_.direction) < std::cos(angle_ - turn);
+    return angle_ > turn && dot(p.normal, pencil_.direction) < cosine(angle_ - turn);
   }
 
   // The tip of a face counts when its normal does anywhere beside it.

@@ -1,6 +1,7 @@
 // Points and derivatives on the curves of a Brep.
 #pragma once
 
+#include "gpu/angles.h"
 #include "model/brep_spline.h"
 
 namespace gabarit {
@@ -42,12 +43,12 @@ GABARIT_HD inline CurvePoint curve_point(const BrepView& brep, const Curve& c, d
     case CurveKind::circle:
     case CurveKind::ellipse: {
       const double b = c.kind == CurveKind::circle ? c.radius : c.minor;
-      const double cosine = std::cos(t), sine = std::sin(t);
+      const auto [sine, cosine] = sine_cosine(t);
       return conic_point(c.axes, c.radius * cosine, -c.radius * sine, -c.radius * cosine, b * sine,
                          b * cosine, -b * sine);
     }
     case CurveKind::hyperbola: {
-      const double ch = std::cosh(t), sh = std::sinh(t);
+      const auto [sh, ch] = hyperbolic_sine_cosine(t);
       return conic_point(c.axes, c.radius * ch, c.radius * sh, c.radius * ch, c.minor * sh, c.minor * ch,
                          c.minor * sh);
     }
