@@ -83,7 +83,8 @@ class EdgeContact {
   }
 
   // The outward normal of the face at a point of its edge.
-  GABARIT_HD Vec3d normal_beside(const EdgePiece::Beside& side, const Vec3d& p, double t) const {
+  GABARIT_SEPARATE GABARIT_HD Vec3d normal_beside(const EdgePiece::Beside& side, const Vec3d& p,
+                                                  double t) const {
     const Face& face = view_.brep.faces[side.face];
     if (view_.brep.surfaces[face.surface].kind == SurfaceKind::plane) return side.mean;
     const double share = (t - first_) / (last_ - first_);

@@ -159,7 +159,7 @@ class ExactBallSearch {
   }
 
   // All feet, the rim and the tip of a face of a simple kind at once.
-  GABARIT_HD Known solve(FaceId id) {
+  GABARIT_SEPARATE GABARIT_HD Known solve(FaceId id) {
     const Known known = closed_part(id);
     if (known == Known::nothing) return known;
     ++best_.starts;
@@ -206,7 +206,7 @@ class ExactBallSearch {
   GABARIT_HD static double dot(const Vec3d& a, const Vec3d& b) { return gabarit::dot(a, b); }
 
   // Whether the way to the foot led from what counts to what does not.
-  GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
+  GABARIT_SEPARATE GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
     if (best_.starts >= most_starts) return leave_unexplained(bound), false;
     FaceDescent descent(view_.brep, face, pencil_, reach_, known_feet_);
     const FaceFoot foot = descent.run(from);
@@ -228,7 +228,7 @@ class ExactBallSearch {
   }
 
   // The nearest contact that counts may lie where the normal turns away just far enough: on such facets only.
-  GABARIT_HD void try_rim(FaceId face, Parameters from, double bound) {
+  GABARIT_SEPARATE GABARIT_HD void try_rim(FaceId face, Parameters from, double bound) {
     const RimDescent descent(view_.brep, face, pencil_, axis_, least_facing_, reach_, known_rims_);
     const RimFoot rim = descent.run(from);
     best_.steps += rim.iterations;
@@ -256,7 +256,7 @@ class ExactBallSearch {
       keep_face(face, tip, BallContact::vertex);
   }
 
-  GABARIT_HD void keep_face(FaceId face, const FaceFoot& foot, BallContact kind) {
+  GABARIT_SEPARATE GABARIT_HD void keep_face(FaceId face, const FaceFoot& foot, BallContact kind) {
     if (!(foot.radius < reach_) || !far_enough(foot.surface.p, foot.radius)) return;
     if (trim_side(view_.brep, face, foot.at) == TrimSide::outside) return;
     ExactBall contact;
@@ -286,7 +286,7 @@ class ExactBallSearch {
   }
 
   // `shallow`: it is not reflex for a ball.
-  GABARIT_HD void try_piece(std::uint32_t number, double from, bool shallow) {
+  GABARIT_SEPARATE GABARIT_HD void try_piece(std::uint32_t number, double from, bool shallow) {
     const EdgeContact contact(view_, pencil_, least_facing_, number);
     if (!contact.can_face() && (shallow || !contact.can_be_hollow())) return;
     const CurveFoot foot = contact.nearest(from);

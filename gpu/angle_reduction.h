@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "gpu/qualifiers.h"
+#include "gpu/separate.h"
 
 namespace gabarit {
 
@@ -86,7 +87,7 @@ GABARIT_HD inline double scaled_by_two_to(int power, std::uint64_t mantissa) {
          std::bit_cast<double>(static_cast<std::uint64_t>(1023 + power) << 52);
 }
 
-GABARIT_HD inline ReducedAngle reduced_by_digits(double x) {
+GABARIT_SEPARATE GABARIT_HD inline ReducedAngle reduced_by_digits(double x) {
   QuarterDigits digits(x);
   const bool down = digits.high >> 63 != 0;  // from a half on it counts down to the next quarter
   if (down) ++digits.quarters, digits.high = ~digits.high, digits.low = ~digits.low;

@@ -14,7 +14,8 @@ GABARIT_HD inline double wrapped(double t, double first, double last) {
   return t >= first && t <= last ? t : t - (last - first) * std::floor((t - first) / (last - first));
 }
 
-GABARIT_HD inline CurvePoint spline_curve_point(const BrepView& brep, const Curve& c, double t) {
+GABARIT_SEPARATE GABARIT_HD inline CurvePoint spline_curve_point(const BrepView& brep, const Curve& c,
+                                                                 double t) {
   SplineBasis basis;
   spline_basis(brep.knots.data + c.first_knot, c.degree, c.pole_count, t, basis);
   Pole a{0, 0, 0, 0}, d1 = a, d2 = a;
@@ -36,7 +37,7 @@ GABARIT_HD inline CurvePoint conic_point(const Axes& axes, double x, double dx, 
   return {axes.origin + axes.x * x + axes.y * y, axes.x * dx + axes.y * dy, axes.x * ddx + axes.y * ddy};
 }
 
-GABARIT_HD inline CurvePoint curve_point(const BrepView& brep, const Curve& c, double t) {
+GABARIT_SEPARATE GABARIT_HD inline CurvePoint curve_point(const BrepView& brep, const Curve& c, double t) {
   if (c.periodic) t = wrapped(t, c.first, c.last);
   switch (c.kind) {
     case CurveKind::line: break;

@@ -57,7 +57,7 @@ class ClosedFootSearch {
   GABARIT_HD ClosedFootSearch(const Surface& surface, const Pencil& pencil, double size)
       : surface_(surface), pencil_(pencil), size_(size) {}
 
-  GABARIT_HD void add_feet(ClosedFeet& feet) const {
+  GABARIT_SEPARATE GABARIT_HD void add_feet(ClosedFeet& feet) const {
     switch (surface_.kind) {
       case SurfaceKind::plane: return on_plane(feet);
       case SurfaceKind::sphere: return on_sphere(feet);
@@ -69,7 +69,8 @@ class ClosedFootSearch {
 
   // On the line where normal · axis is `least`, for the outward normal of the face; axis is the pencil's
   // direction or against it.
-  GABARIT_HD void add_rim(const Face& face, const Vec3d& axis, double least, ClosedFeet& feet) const {
+  GABARIT_SEPARATE GABARIT_HD void add_rim(const Face& face, const Vec3d& axis, double least,
+                                           ClosedFeet& feet) const {
     const Axes& axes = surface_.axes;
     const double hand = dot(cross(axes.x, axes.y), axes.z) < 0 ? -face.sign : face.sign;
     const double middle = (face.range.v0 + face.range.v1) / 2;

@@ -60,7 +60,7 @@ class RimDescent {
         known_(known) {}
 
   // By secants of the slope along the rim; where it does not bend away, by longer and longer steps.
-  GABARIT_HD RimFoot run(Parameters from) const {
+  GABARIT_SEPARATE GABARIT_HD RimFoot run(Parameters from) const {
     Place here;
     RimFoot& foot = here.foot;
     if (!reach_rim(from, here)) return foot;

@@ -39,8 +39,8 @@ struct RayMeeting {
 // Newton's method in (u, v) from the parameters on, halving steps until the point comes nearer to the line;
 // the trimming curves are not looked at. Met when it ends within `close` of the line. Where the line touches
 // the surface without crossing it the method is slow and may end short of it.
-GABARIT_HD inline RayMeeting meet_surface(const BrepView& brep, const Face& face, const RayFrame& ray,
-                                          Parameters at, double close) {
+GABARIT_SEPARATE GABARIT_HD inline RayMeeting meet_surface(const BrepView& brep, const Face& face,
+                                                           const RayFrame& ray, Parameters at, double close) {
   constexpr int most_steps = 30, most_halvings = 20;
   const Surface& surface = brep.surfaces[face.surface];
   SurfacePoint s = face_point(brep, face, at);
@@ -81,8 +81,8 @@ GABARIT_HD inline bool at_an_edge(const BrepView& brep, FaceId face, const Vec3d
 enum class Presence : std::uint8_t { absent, near, there };
 
 // `reach` is not less than twice the tolerance of any edge or vertex of the face.
-GABARIT_HD inline Presence presence(const BrepView& brep, FaceId face, const RayMeeting& meeting,
-                                    double reach) {
+GABARIT_SEPARATE GABARIT_HD inline Presence presence(const BrepView& brep, FaceId face,
+                                                     const RayMeeting& meeting, double reach) {
   const bool inside = trim_side(brep, face, meeting.at) == TrimSide::inside;
   const double along_u = length(meeting.du), along_v = length(meeting.dv);
   bool beside = false;

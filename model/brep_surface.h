@@ -61,8 +61,8 @@ GABARIT_HD inline SurfacePoint revolution_point(const BrepView& brep, const Surf
   return {s.axes.origin + turn(arm), turn_d(flat), turn(c.d), -turn(flat), turn_d(c.d), turn(c.dd)};
 }
 
-GABARIT_HD inline SurfacePoint spline_surface_point(const BrepView& brep, const Surface& s, double u,
-                                                    double v) {
+GABARIT_SEPARATE GABARIT_HD inline SurfacePoint spline_surface_point(const BrepView& brep, const Surface& s,
+                                                                     double u, double v) {
   SplineBasis bu, bv;
   spline_basis(brep.knots.data + s.first_u_knot, s.u_degree, s.u_poles, u, bu);
   spline_basis(brep.knots.data + s.first_v_knot, s.v_degree, s.v_poles, v, bv);
@@ -89,7 +89,8 @@ GABARIT_HD inline SurfacePoint spline_surface_point(const BrepView& brep, const 
   return r;
 }
 
-GABARIT_HD inline SurfacePoint surface_point(const BrepView& brep, const Surface& s, double u, double v) {
+GABARIT_SEPARATE GABARIT_HD inline SurfacePoint surface_point(const BrepView& brep, const Surface& s,
+                                                              double u, double v) {
   if (s.u_periodic) u = wrapped(u, s.domain.u0, s.domain.u1);
   if (s.v_periodic) v = wrapped(v, s.domain.v0, s.domain.v1);
   switch (s.kind) {
