@@ -119,7 +119,7 @@ TEST_F(ExactDevices, balls_and_rays_on_every_kind_of_surface_have_the_same_bits)
   for (const auto& [name, shape] : every_kind()) {
     const Model model = model_of(step(shape));
     for (const Face& face : model.brep->faces) kinds.insert(model.brep->surfaces[face.surface].kind);
-    const std::vector<FacetPlace> places = places_on(model, 120);
+    const std::vector<FacetPlace> places = places_on(model, 60);
     const Bits expected = everything(model, plain_cpu, places);
     for (const auto& [where, device] : other_devices())
       EXPECT_TRUE(everything(model, device, places) == expected) << name << " on " << where;
