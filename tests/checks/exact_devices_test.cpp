@@ -175,6 +175,7 @@ TEST_F(ExactDevices, answers_come_back_in_the_order_of_the_caller_whatever_the_o
     return model.brep->facets[places[a].facet].face > model.brep->facets[places[b].facet].face;
   });
   std::vector<FacetPlace> shuffled;
+  shuffled.reserve(order.size());
   for (const std::size_t i : order) shuffled.push_back(places[i]);
   const Scene scene(model, Device::cpu(1));
   const ContactSurface& surface = scene.surface({.side = Side::inside, .sag = *model.sag});
