@@ -5,6 +5,7 @@
 
 #include "gpu/bvh_build.h"
 #include "gpu/bvh_there.h"
+#include "gpu/device_error.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -67,10 +68,21 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   for (const Primitive& p : surface.primitives) greatest_sag_ = std::max(greatest_sag_, p.sag);
   fan_first_ = {device, std::move(surface.fan_first)};
   fan_directions_ = {device, std::move(surface.fan_directions)};
-  if (!device.has_own_memory() || !take(build_there(device, surface, origin_))) build_here(surface);
+  if (!device.has_own_memory() || !built_there(surface)) build_here(surface);
 }
 
-bool Bvh::take(std::optional<TreeThere> tree) {
+// A tree may fit that there is no room to build.
+static std::optional<TreeThere> tree_there(const Device& device, const FacetSurface& surface,
+                                           const Vec3d& origin) {
+  try {
+    return build_there(device, surface, origin);
+  } catch (const OutOfDeviceMemory&) {
+    return std::nullopt;
+  }
+}
+
+bool Bvh::built_there(const FacetSurface& surface) {
+  std::optional<TreeThere> tree = tree_there(device_, surface, origin_);
   if (!tree) return false;
   nodes_ = std::move(tree->nodes);
   leaves_ = std::move(tree->leaves);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -68,8 +67,6 @@ struct BvhView {
   }
 };
 
-struct TreeThere;
-
 class Bvh {
  public:
   // Built by binned surface area heuristic (Wald, On fast Construction of SAH-based Bounding
@@ -83,7 +80,7 @@ class Bvh {
   std::vector<std::uint32_t> order() const;
 
  private:
-  bool take(std::optional<TreeThere> tree);
+  bool built_there(const FacetSurface& surface);
   void build_here(FacetSurface& surface);
 
   Device device_;
