@@ -47,8 +47,7 @@ fs::path installed_files(const ProgramTraces& traces) {
   if (const fs::path program = fs::read_symlink(traces.link, error); !error)
     return share_below(program.parent_path().parent_path());
   const fs::path found = fs::canonical(found_as_called(traces), error);
-  if (fs::path share = share_below(found.parent_path().parent_path()); !error && !share.empty())
-    return share;
+  if (fs::path share = share_below(found.parent_path().parent_path()); !error && !share.empty()) return share;
   return share_below(traces.prefix);
 }
 
