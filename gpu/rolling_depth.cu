@@ -264,40 +264,50 @@ void RollingDepth::in_parts(Work&& work) const {
   });
 }
 
+static void find_nearest(const Device& device, const Around& around, std::span<Nearest> nearest) {
+  Buffer<Nearest> there(device, std::span<const Nearest>(nearest));
+  parallel_for(device, around.places.size, FindNearest{around, there.view()}, 16);
+  there.read(nearest);
+}
+
+// `nearest`: to each place; not looked at when the path is all that is known.
+static void lower_depths(const Device& device, const Around& around, std::span<const Nearest> nearest,
+                         View<std::uint32_t> depth) {
+  if (around.disk.apart > 0) {
+    const Buffer<Nearest> known(device, nearest);
+    parallel_for(device, around.places.size, LowerDepthsAround{around, known.view(), depth}, 16);
+    return;
+  }
+  // A warp of a GPU shares a centre: its threads look at rows side by side.
+  const std::int64_t slices = device.has_own_memory() ? 32 : 1;
+  parallel_for(device, around.places.size * slices,
+               LowerDepths{around.squares, around.sides, around.places, around.disk.radius, around.most(),
+                           slices, depth},
+               16 * slices);
+}
+
 std::vector<float> RollingDepth::along(std::span<const Segment2> centres, const RollingDisk& disk) const {
   std::vector<std::uint32_t> lowest(segments_.size(), ordered(std::numeric_limits<float>::infinity()));
   std::vector<Nearest> nearest(disk.apart > 0 ? centres.size() : 0);
-  const auto of_places = [&](std::int64_t begin, std::int64_t count) {
-    return std::span(nearest).subspan(index(begin), index(count));
-  };
-  const auto find_nearest = [&](const SidesThere& sides, std::int64_t) {
+  // Calls use(around, what is known to be nearest to its places) for parts of the path.
+  const auto for_path = [&](const SidesThere& sides, auto&& use) {
     in_parts_of_path(device_, centres, [&](std::int64_t begin, View<const Segment2> path) {
-      const std::span<Nearest> some = of_places(begin, path.size);
-      Buffer<Nearest> there(device_, std::span<const Nearest>(some));
-      parallel_for(device_, path.size,
-                   FindNearest{{sides.squares(), sides.segments(), path, disk}, there.view()}, 16);
-      there.read(some);
+      const auto known = std::span(nearest).subspan(nearest.empty() ? 0 : index(begin));
+      use(Around{sides.squares(), sides.segments(), path, disk},
+          known.first(nearest.empty() ? 0 : index(path.size)));
     });
   };
-  if (disk.apart > 0) in_parts(find_nearest);
+  if (disk.apart > 0) {
+    in_parts([&](const SidesThere& sides, std::int64_t) {
+      for_path(sides,
+               [&](const Around& around, std::span<Nearest> some) { find_nearest(device_, around, some); });
+    });
+  }
   in_parts([&](const SidesThere& sides, std::int64_t first) {
     const auto part = std::span(lowest).subspan(index(first), index(sides.segments().size));
     Buffer<std::uint32_t> depth(device_, std::span<const std::uint32_t>(part));
-    in_parts_of_path(device_, centres, [&](std::int64_t begin, View<const Segment2> path) {
-      if (disk.apart > 0) {
-        const Buffer<Nearest> known(device_, std::span<const Nearest>(of_places(begin, path.size)));
-        parallel_for(
-            device_, path.size,
-            LowerDepthsAround{{sides.squares(), sides.segments(), path, disk}, known.view(), depth.view()},
-            16);
-        return;
-      }
-      // A warp of a GPU shares a centre: its threads look at rows side by side.
-      const std::int64_t slices = device_.has_own_memory() ? 32 : 1;
-      parallel_for(device_, path.size * slices,
-                   LowerDepths{sides.squares(), sides.segments(), path, disk.radius,
-                               disk.radius + disk.tolerance, slices, depth.view()},
-                   16 * slices);
+    for_path(sides, [&](const Around& around, std::span<const Nearest> known) {
+      lower_depths(device_, around, known, depth.view());
     });
     depth.read(part);
   });
