@@ -69,9 +69,9 @@ Outcome contact_of(const Model& model, const VerticalCylinder& column, const Dev
   return outcome;
 }
 
-class TightMemory : public testing::TestWithParam<Kind> {};
+class OnModels : public testing::TestWithParam<Kind> {};
 
-TEST_P(TightMemory, a_contact_is_the_same_bits_and_never_begun_again) {
+TEST_P(OnModels, a_contact_is_the_same_bits_and_never_begun_again) {
   const Model model = GetParam().make();
   for (const VerticalCylinder& column : columns) {
     const Outcome expected = contact_of(model, column, plain_cpu);
@@ -85,7 +85,17 @@ TEST_P(TightMemory, a_contact_is_the_same_bits_and_never_begun_again) {
   }
 }
 
-TEST_P(TightMemory, without_room_for_a_part_a_contact_is_begun_again_on_the_cpu) {
+TEST(TightMemory, a_contact_of_200_000_facets_needs_no_more_than_a_small_one) {
+  const Model model = model_of(shapes::ribbed_casting(), 200'000);
+  for (const VerticalCylinder& column : {columns[0], columns[2]}) {
+    MemoryLimit limit(enough);
+    const Outcome tight = contact_of(model, column, Device::simulated(2, &limit));
+    EXPECT_TRUE(contact_of(model, column, Device::cpu(2)).bits == tight.bits);
+    EXPECT_EQ(tight.restarts, 0);
+  }
+}
+
+TEST_P(OnModels, without_room_for_a_part_a_contact_is_begun_again_on_the_cpu) {
   const Model model = GetParam().make();
   MemoryLimit limit(4 * kibibyte);
   const Outcome tight = contact_of(model, columns[0], Device::simulated(2, &limit));
@@ -93,7 +103,7 @@ TEST_P(TightMemory, without_room_for_a_part_a_contact_is_begun_again_on_the_cpu)
   EXPECT_EQ(tight.restarts, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryModel, TightMemory, testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(TightMemory, OnModels, testing::ValuesIn(kinds),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
 }  // namespace
