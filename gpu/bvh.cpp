@@ -5,6 +5,7 @@
 
 #include "gpu/bvh_build.h"
 #include "gpu/bvh_there.h"
+#include "gpu/contact_cap.h"
 #include "gpu/device_error.h"
 #include "gpu/parallel_for.h"
 
@@ -66,23 +67,24 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   if (!box.empty()) origin_ = box.centre();
   reach_ = round_up(length(box.extent()) * 0.5);
   for (const Primitive& p : surface.primitives) greatest_sag_ = std::max(greatest_sag_, p.sag);
+  const std::vector<ContactCap> caps = contact_caps(device, surface);
   fan_first_ = {device, std::move(surface.fan_first)};
   fan_directions_ = {device, std::move(surface.fan_directions)};
-  if (!device.has_own_memory() || !built_there(surface)) build_here(surface);
+  if (!device.has_own_memory() || !built_there(surface, caps)) build_here(surface, caps);
 }
 
 // A tree may fit that there is no room to build.
 static std::optional<TreeThere> tree_there(const Device& device, const FacetSurface& surface,
-                                           const Vec3d& origin) {
+                                           const std::vector<ContactCap>& caps, const Vec3d& origin) {
   try {
-    return build_there(device, surface, origin);
+    return build_there(device, surface, caps, origin);
   } catch (const OutOfDeviceMemory&) {
     return std::nullopt;
   }
 }
 
-bool Bvh::built_there(const FacetSurface& surface) {
-  std::optional<TreeThere> tree = tree_there(device_, surface, origin_);
+bool Bvh::built_there(const FacetSurface& surface, const std::vector<ContactCap>& caps) {
+  std::optional<TreeThere> tree = tree_there(device_, surface, caps, origin_);
   if (!tree) return false;
   nodes_ = std::move(tree->nodes);
   leaves_ = std::move(tree->leaves);
@@ -91,13 +93,13 @@ bool Bvh::built_there(const FacetSurface& surface) {
   return true;
 }
 
-void Bvh::build_here(FacetSurface& surface) {
+void Bvh::build_here(FacetSurface& surface, const std::vector<ContactCap>& caps) {
   std::vector<BoxedPrimitive> boxes = boxed(device_, surface, origin_);
   SplitTree tree = split_into_nodes(device_, boxes);
   reorder(surface, boxes);
   boxes = {};
   renumber_points(surface);
-  add_cones(device_, surface, origin_, tree);
+  add_cones(device_, surface, caps, origin_, tree);
   nodes_ = {device_, std::move(tree.nodes)};
   leaves_ = {device_, std::move(tree.leaves)};
   primitives_ = {device_, std::move(surface.primitives)};

@@ -44,7 +44,8 @@ struct alignas(32) BvhNode {
   float hi[3][tree_width];
   float axis[3][tree_width];        // mean normal of the facets below, unit or zero
   float offset[tree_width];         // axis · p >= offset for every point p below
-  float cone[tree_width];           // cosine of the widest angle between axis and a normal below; -1: any
+  float cone[tree_width];           // cosine of the widest angle between axis and the normal of a facet or
+                                    // of a contact on an edge or vertex below; -1: any
   std::uint32_t child[tree_width];  // a node, or leaf_flag | leaf
 
   GABARIT_HD float low(int k, int i) const { return lo[k][i]; }
@@ -67,6 +68,8 @@ struct BvhView {
   }
 };
 
+struct ContactCap;
+
 class Bvh {
  public:
   // Built by binned surface area heuristic (Wald, On fast Construction of SAH-based Bounding
@@ -80,8 +83,8 @@ class Bvh {
   std::vector<std::uint32_t> order() const;
 
  private:
-  bool built_there(const FacetSurface& surface);
-  void build_here(FacetSurface& surface);
+  bool built_there(const FacetSurface& surface, const std::vector<ContactCap>& caps);
+  void build_here(FacetSurface& surface, const std::vector<ContactCap>& caps);
 
   Device device_;
   Buffer<BvhNode> nodes_;
