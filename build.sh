@@ -126,8 +126,7 @@ licence_texts() {
   if [ -n "$cuda" ]; then cp "$cuda" "$folder/cuda-runtime.txt"; fi
 }
 
-# try_bundle ARCHIVE: unpacked somewhere else, with an empty environment, it checks a cube that breaks the rule.
-try_bundle() {
+bundle() {
   local place code=0
   place=$(mktemp -d)
   tar -C "$place" -xzf "$1"
@@ -165,13 +164,13 @@ bundle() {
   licence_texts "$folder"
   tar -C out --sort=name --owner=0 --group=0 --numeric-owner --mtime="@${SOURCE_DATE_EPOCH:-0}" -c "$name" |
     gzip -9n >"$archive"
-  try_bundle "$archive"
+  tests/bundle/try_bundle.sh "$archive"
   if [ "$(du -sb "$folder" | cut -f1)" -ge 64000000 ]; then
     echo "$folder has $(du -sb "$folder" | cut -f1) bytes, more than 64 MB" >&2
     exit 1
   fi
   # The Debian package takes OpenSSL from the system again.
-  configure build-bundle "${options[@]}" -DGABARIT_BUNDLE=OFF -U'OPENSSL_*'
+  configure build-bundle "${options[@]}" -DGABARIT_BUNDLE=OFF -DCMAKE_INSTALL_PREFIX=/usr -U'OPENSSL_*'
   cmake --build build-bundle --target gabarit
   (cd build-bundle && cpack -B "$PWD/packages" >/dev/null)
   cp build-bundle/packages/*.deb out/

@@ -17,7 +17,7 @@ class PlanProjection {
 
   std::size_t facet_count() const { return facet_count_; }
   const Device& device() const { return facets_.device(); }
-  PlanMesh mesh() const { return facets_.mesh(); }  // views of the device's memory
+  const PlanFacets& facets() const { return facets_; }
   // Of the parts inside the band; `empty` when nothing is.
   bool empty() const { return facets_.extent().empty(); }
   Point2 low() const { return facets_.extent().low; }

@@ -29,7 +29,7 @@ static CellGrid grid_around(const PlanProjection& plan, double smallest, double 
 ReachGrid::ReachGrid(const PlanProjection& plan, double smallest, double largest, double tolerance,
                      const Device& device)
     : grid_(grid_around(plan, smallest, largest)),
-      outlines_(device, plan.mesh(), grid_),
+      outlines_(plan.facets(), grid_),
       outline_distance_(static_cast<std::size_t>(grid_.count())),
       distance_(outline_distance_.size()),
       reached_(plan.facet_count()) {

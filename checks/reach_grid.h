@@ -13,7 +13,8 @@ namespace gabarit {
 
 class ReachGrid {
  public:
-  // For columns of radius `smallest` to `largest` that touch when nearer than `tolerance`.
+  // For columns of radius `smallest` to `largest` that touch when nearer than `tolerance`. `plan` must
+  // outlive this.
   ReachGrid(const PlanProjection& plan, double smallest, double largest, double tolerance,
             const Device& device);
 

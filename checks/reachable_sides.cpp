@@ -29,7 +29,7 @@ std::vector<PlanSide> reachable_sides(const PlanProjection& plan, const ReachGri
   for (FacetId f = 0; f < plan.facet_count(); ++f) {
     if (grid.reached()[f] != 0) reached.push_back(f);
   }
-  std::vector<PlanSide> sides = plan_sides(plan.device(), plan.mesh(), reached);
+  std::vector<PlanSide> sides = plan_sides(plan.facets(), reached);
   settle_turns(sides);
   return sides;
 }

@@ -15,7 +15,6 @@
 #include "cli/run_record.h"
 #include "report/terminal.h"
 #include "rules/engine.h"
-#include "rules/read_rules.h"
 
 namespace gabarit {
 
@@ -24,7 +23,7 @@ static std::optional<std::vector<RuleSet>> read_all_rules(const CheckOptions& op
   std::vector<RuleSet> sets;
   bool fine = true;
   for (const std::string& file : options.rules) {
-    Result<RuleSet> set = read_rules(rule_file(file));
+    Result<RuleSet> set = read_named_rules(file, options.installed);
     if (set) {
       sets.push_back(std::move(*set));
     } else {
@@ -100,6 +99,7 @@ static int check_model(const Model& model, const std::vector<RuleSet>& sets, con
   writing.formats = options.format_list();
   writing.fields = options.fields;
   writing.palette = options.palette_map();
+  writing.installed = options.installed;
   writing.threads = options.model.threads;
   writing.progress = [&](const char*, double fraction) { progress.update(fraction); };
   writing.run_record = [&] { return progress.end(), run_json(record, progress.stages()); };
@@ -130,8 +130,9 @@ static int run_check(const CheckOptions& options) {
   return check_model(*model, *sets, options, device, record, progress);
 }
 
-Command check_command(CLI::App& app) {
+Command check_command(CLI::App& app, const std::filesystem::path& installed) {
   const auto options = std::make_shared<CheckOptions>();
+  options->installed = installed;
   CLI::App* const command =
       app.add_subcommand("check", "Check a model against rules and write the evidence.");
   options->add_to(*command);

@@ -1,6 +1,7 @@
 // What `gabarit check` is asked to do.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct CheckOptions {
   std::vector<std::string> rules, only;
   std::string out, device = "auto", formats = "pdf,stl,json", fail_on = "fail", palette = "by-limit";
   bool fields = false, quiet = false;
+  std::filesystem::path installed;  // what came with the program; may be empty
 
   void add_to(CLI::App& command);
   // Both throw UsageError.

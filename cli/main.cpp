@@ -11,6 +11,7 @@
 #include "cli/exit_code.h"
 #include "cli/messages.h"
 #include "gpu/device_error.h"
+#include "report/installation.h"
 #include "report/version.h"
 #include "rules/nearest_name.h"
 
@@ -61,8 +62,9 @@ static int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("gabarit ") + program_version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(28);
-  const std::array commands{check_command(app),    measure_command(app), explain_command(app),
-                            validate_command(app), info_command(app),    devices_command(app)};
+  const std::filesystem::path installed = installed_files(program_traces(argc > 0 ? argv[0] : nullptr));
+  const std::array commands{check_command(app, installed),    measure_command(app), explain_command(app),
+                            validate_command(app, installed), info_command(app),    devices_command(app)};
   // Set last: commands inherit what stands here when they are added.
   app.footer(
       "Each command has its own --help. Exit codes: 0 clean, 1 violation, 2 bad input,\n"

@@ -1,4 +1,4 @@
-// Queries that do not fit into the memory of a device at once are answered in smaller batches.
+// Work that does not fit into the memory of a device at once is done in smaller batches.
 #pragma once
 
 #include <algorithm>

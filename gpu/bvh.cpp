@@ -6,6 +6,7 @@
 #include "gpu/bvh_build.h"
 #include "gpu/bvh_there.h"
 #include "gpu/contact_cap.h"
+#include "gpu/device_error.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -69,11 +70,21 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   const std::vector<ContactCap> caps = contact_caps(device, surface);
   fan_first_ = {device, std::move(surface.fan_first)};
   fan_directions_ = {device, std::move(surface.fan_directions)};
-  if (!device.has_own_memory() || !take(build_there(device, surface, caps, origin_)))
-    build_here(surface, caps);
+  if (!device.has_own_memory() || !built_there(surface, caps)) build_here(surface, caps);
 }
 
-bool Bvh::take(std::optional<TreeThere> tree) {
+// A tree may fit that there is no room to build.
+static std::optional<TreeThere> tree_there(const Device& device, const FacetSurface& surface,
+                                           const std::vector<ContactCap>& caps, const Vec3d& origin) {
+  try {
+    return build_there(device, surface, caps, origin);
+  } catch (const OutOfDeviceMemory&) {
+    return std::nullopt;
+  }
+}
+
+bool Bvh::built_there(const FacetSurface& surface, const std::vector<ContactCap>& caps) {
+  std::optional<TreeThere> tree = tree_there(device_, surface, caps, origin_);
   if (!tree) return false;
   nodes_ = std::move(tree->nodes);
   leaves_ = std::move(tree->leaves);

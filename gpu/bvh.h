@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -70,7 +69,6 @@ struct BvhView {
 };
 
 struct ContactCap;
-struct TreeThere;
 
 class Bvh {
  public:
@@ -85,7 +83,7 @@ class Bvh {
   std::vector<std::uint32_t> order() const;
 
  private:
-  bool take(std::optional<TreeThere> tree);
+  bool built_there(const FacetSurface& surface, const std::vector<ContactCap>& caps);
   void build_here(FacetSurface& surface, const std::vector<ContactCap>& caps);
 
   Device device_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "gpu/batches.h"
 #include "gpu/buffer.h"
 #include "gpu/dexel.h"
 #include "gpu/dexel_intervals.h"
@@ -94,38 +95,122 @@ Bins bin(std::span<const Point2> points, std::span<const PlanEdge> edges, const 
   return std::move(binning).finish();
 }
 
-struct UniteLine {
+// Blocks of lines one after the other, with the features that cross them.
+struct FeatureLists {
   View<const Feature> features;
-  View<const std::uint32_t> first, numbers;
+  View<const std::uint32_t> first, numbers;  // as of Bins
+};
+
+// Goes on with what is on the lines already.
+struct UniteLine {
+  FeatureLists lists;
   DexelLines lines;
+  std::int64_t first_line;
   double radius;
   std::int64_t capacity;
   View<Dexel> dexels;
   View<std::int64_t> count;  // by line; negative when there is not enough room
 
   GABARIT_HD void operator()(std::int64_t line) const {
-    DexelUnion all{dexels.data + line * capacity, capacity};
-    const double y = lines.y(line);
+    if (count[line] < 0) return;
+    DexelUnion all{dexels.data + line * capacity, capacity, count[line]};
+    const double y = lines.y(first_line + line);
     const std::int64_t block = line / Bins::lines;
-    for (std::uint32_t i = first[block]; i < first[block + 1] && !all.overflow; ++i) {
-      const Feature& feature = features[numbers[i]];
+    for (std::uint32_t i = lists.first[block]; i < lists.first[block + 1] && !all.overflow; ++i) {
+      const Feature& feature = lists.features[lists.numbers[i]];
       if (!all.covers(feature.low, feature.high)) all.add(feature.across(radius, y));
     }
     count[line] = all.overflow ? -1 : all.size;
   }
 };
 
-Dexels gathered(const std::vector<Dexel>& rooms, const std::vector<std::int64_t>& count,
-                std::int64_t capacity) {
-  Dexels out;
+// Some blocks, of each some of its features.
+struct Part {
+  std::int64_t begin, end;  // blocks
+  std::int64_t from, to;    // of the list of each
+};
+
+std::size_t index(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+Bins part_of(const Bins& bins, const Part& part) {
+  Bins out;
+  std::vector<std::uint32_t> place(bins.features.size(), 0);  // in the part, from 1 on
   out.first.push_back(0);
-  for (std::size_t line = 0; line < count.size(); ++line) {
-    const auto begin = rooms.begin() + static_cast<std::ptrdiff_t>(line) * capacity;
-    out.all.insert(out.all.end(), begin, begin + count[line]);
-    out.first.push_back(out.all.size());
+  for (std::int64_t block = part.begin; block < part.end; ++block) {
+    const std::int64_t first = bins.first[index(block)], end = bins.first[index(block + 1)];
+    for (std::int64_t i = first + part.from; i < std::min(first + part.to, end); ++i) {
+      const std::uint32_t number = bins.numbers[index(i)];
+      if (place[number] == 0) {
+        out.features.push_back(bins.features[number]);
+        place[number] = static_cast<std::uint32_t>(out.features.size());
+      }
+      out.numbers.push_back(place[number] - 1);
+    }
+    out.first.push_back(static_cast<std::uint32_t>(out.numbers.size()));
   }
   return out;
 }
+
+class Uniting {
+ public:
+  Uniting(const Device& device, const Bins& bins, const DexelLines& lines, double radius)
+      : device_(device), bins_(bins), lines_(lines), radius_(radius) {}
+
+  Dexels all() && {
+    out_.first.push_back(0);
+    in_batches(blocks(), 1, [&](std::int64_t begin, std::int64_t end) { unite(begin, end); });
+    return std::move(out_);
+  }
+
+ private:
+  std::int64_t blocks() const { return static_cast<std::int64_t>(bins_.first.size()) - 1; }
+
+  // Few lines run in and out of a figure often: more room is made when one needs it.
+  void unite(std::int64_t begin, std::int64_t end) {
+    const std::int64_t first = begin * Bins::lines;
+    const std::int64_t n = std::min(end * Bins::lines, lines_.count) - first;
+    for (std::int64_t capacity = 16;; capacity *= 4) {
+      auto dexels = Buffer<Dexel>::of_size(device_, n * capacity);
+      Buffer<std::int64_t> counts(device_, std::vector<std::int64_t>(index(n), 0));
+      unite_into({{}, lines_, first, radius_, capacity, dexels.view(), counts.view()}, begin, end);
+      const std::vector<std::int64_t> count = counts.read();
+      if (*std::min_element(count.begin(), count.end()) < 0) continue;
+      return gather(dexels.read(), count, capacity);
+    }
+  }
+
+  // The figure of a line is the same whatever comes to it first.
+  void unite_into(UniteLine kernel, std::int64_t begin, std::int64_t end) {
+    std::int64_t longest = 1;
+    for (std::int64_t b = begin; b < end; ++b)
+      longest = std::max<std::int64_t>(longest, bins_.first[index(b + 1)] - bins_.first[index(b)]);
+    constexpr std::int64_t few = 256;
+    in_batches(longest, few, [&](std::int64_t from, std::int64_t to) {
+      const bool whole = begin == 0 && end == blocks() && from == 0 && to == longest;
+      const Bins part = whole ? Bins{} : part_of(bins_, {begin, end, from, to});
+      const Bins& bins = whole ? bins_ : part;
+      const Buffer<Feature> features(device_, bins.features);
+      const Buffer<std::uint32_t> first(device_, bins.first), numbers(device_, bins.numbers);
+      kernel.lists = {features.view(), first.view(), numbers.view()};
+      parallel_for(device_, kernel.count.size, kernel, 8);
+    });
+  }
+
+  void gather(const std::vector<Dexel>& rooms, const std::vector<std::int64_t>& count,
+              std::int64_t capacity) {
+    for (std::size_t line = 0; line < count.size(); ++line) {
+      const auto begin = rooms.begin() + static_cast<std::ptrdiff_t>(line) * capacity;
+      out_.all.insert(out_.all.end(), begin, begin + count[line]);
+      out_.first.push_back(out_.all.size());
+    }
+  }
+
+  Device device_;
+  const Bins& bins_;
+  DexelLines lines_;
+  double radius_;
+  Dexels out_;
+};
 
 }  // namespace
 
@@ -133,21 +218,7 @@ Dexels offset_dexels(const Device& device, std::span<const Point2> points, std::
                      const DexelLines& lines, double radius) {
   if (lines.count <= 0) return {{0}, {}};
   const Bins bins = bin(points, edges, lines, radius);
-  const Buffer<Feature> features(device, bins.features);
-  const Buffer<std::uint32_t> first(device, bins.first), numbers(device, bins.numbers);
-  std::vector<std::int64_t> count(static_cast<std::size_t>(lines.count));
-  // Few lines run in and out of a figure often: more room is made when one needs it.
-  for (std::int64_t capacity = 16;; capacity *= 4) {
-    auto dexels = Buffer<Dexel>::of_size(device, lines.count * capacity);
-    auto counts = Buffer<std::int64_t>::of_size(device, lines.count);
-    parallel_for(device, lines.count,
-                 UniteLine{features.view(), first.view(), numbers.view(), lines, radius, capacity,
-                           dexels.view(), counts.view()},
-                 8);
-    counts.read(count);
-    if (*std::min_element(count.begin(), count.end()) < 0) continue;
-    return gathered(dexels.read(), count, capacity);
-  }
+  return Uniting(device, bins, lines, radius).all();
 }
 
 }  // namespace gabarit

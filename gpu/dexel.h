@@ -45,7 +45,9 @@ struct PlanEdge {
 // The figure of all places nearer than `radius` to the points and edges: disks around the points, rectangles
 // along the edges (Inui and Umezu, Extraction of Vertical Cylinder Contacting Area for Motorcycle Safety
 // Verification). Positions are good to rounding. Every line gathers and unites its own intervals, so no two
-// threads meet and the ends are the same bits in whatever order it is done.
+// threads meet and the ends are the same bits in whatever order it is done. Lines and features that do not
+// fit into the device's memory at once go in batches. Throws DeviceError, and OutOfDeviceMemory when not even
+// sixteen lines and few features fit.
 Dexels offset_dexels(const Device& device, std::span<const Point2> points, std::span<const PlanEdge> edges,
                      const DexelLines& lines, double radius);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gpu/batches.h"
 #include "gpu/buffer.h"
 #include "gpu/distance_transform.h"
 #include "gpu/parallel_for.h"
@@ -98,28 +99,76 @@ struct RowDistances {
   }
 };
 
+// `width`: columns that go together. `slots`: rows that are in work at the same time.
+void count_columns(const Device& device, View<const std::uint8_t> marked, View<float> count,
+                   std::int64_t columns, std::int64_t width) {
+  parallel_for(device, (columns + width - 1) / width,
+               ColumnCounts{marked, count, columns, marked.size / columns, width}, 1);
+}
+void measure_rows(const Device& device, View<float> distance, const CellGrid& grid, std::int64_t slots) {
+  auto envelopes = Buffer<Parabola>::of_size(device, slots * grid.columns);
+  parallel_for(device, slots,
+               RowDistances{distance, envelopes.view(), grid.columns, distance.size / grid.columns, slots,
+                            static_cast<float>(grid.size)},
+               1);
+}
+
+// Row by row as many columns as the narrower one has.
+template <class T>
+void copy_columns(std::span<const T> from, std::int64_t from_columns, std::span<T> to,
+                  std::int64_t to_columns, std::int64_t rows) {
+  const std::int64_t count = std::min(from_columns, to_columns);
+  for (std::int64_t y = 0; y < rows; ++y)
+    std::copy_n(from.begin() + y * from_columns, count, to.begin() + y * to_columns);
+}
+
+// A strip of columns holds all that its counts depend on.
+void count_strip(const Device& device, const CellGrid& grid, std::span<const std::uint8_t> marked,
+                 std::span<float> count, std::int64_t begin, std::int64_t end) {
+  const std::int64_t columns = end - begin;
+  const auto first = static_cast<std::size_t>(begin), cells = static_cast<std::size_t>(columns * grid.rows);
+  std::vector<std::uint8_t> strip(cells);
+  copy_columns(marked.subspan(first), grid.columns, std::span(strip), columns, grid.rows);
+  const Buffer<std::uint8_t> marks(device, std::span<const std::uint8_t>(strip));
+  auto counts = Buffer<float>::of_size(device, marks.size());
+  count_columns(device, marks.view(), counts.view(), columns, 1);
+  const std::vector<float> counted = std::move(counts).read();
+  copy_columns(std::span(counted), columns, count.subspan(first), grid.columns, grid.rows);
+}
+
+// The same numbers by way of the host: columns in strips, rows in bands.
+void transform_in_parts(const Device& device, const CellGrid& grid, std::span<const std::uint8_t> marked,
+                        std::span<float> distance) {
+  in_batches(grid.columns, 1, [&](std::int64_t begin, std::int64_t end) {
+    count_strip(device, grid, marked, distance, begin, end);
+  });
+  in_batches(grid.rows, 1, [&](std::int64_t begin, std::int64_t end) {
+    const auto band = distance.subspan(static_cast<std::size_t>(begin * grid.columns),
+                                       static_cast<std::size_t>((end - begin) * grid.columns));
+    Buffer<float> there(device, std::span<const float>(band));
+    measure_rows(device, there.view(), grid, end - begin);
+    there.read(band);
+  });
+}
+
 }  // namespace
 
 void distance_transform(const Device& device, const CellGrid& grid, std::span<const std::uint8_t> marked,
                         std::span<float> distance) {
-  const bool cpu = !device.has_own_memory();
   // A processor core takes many columns and rows at once, to use its caches; a GPU has threads for each.
-  const std::int64_t width = cpu ? 64 : 1;
-  const std::int64_t slots = cpu ? std::min<std::int64_t>(grid.rows, 64) : grid.rows;
-  auto envelopes = Buffer<Parabola>::of_size(device, slots * grid.columns);
-  const auto run = [&](View<const std::uint8_t> marks, View<float> out) {
-    parallel_for(device, (grid.columns + width - 1) / width,
-                 ColumnCounts{marks, out, grid.columns, grid.rows, width}, 1);
-    parallel_for(
-        device, slots,
-        RowDistances{out, envelopes.view(), grid.columns, grid.rows, slots, static_cast<float>(grid.size)},
-        1);
-  };
-  if (cpu) return run(view(marked), view(distance));
-  const Buffer<std::uint8_t> marks(device, marked);
-  auto answers = Buffer<float>::of_size(device, grid.count());
-  run(marks.view(), answers.view());
-  answers.read(distance);
+  if (!device.has_own_memory()) {
+    count_columns(device, view(marked), view(distance), grid.columns, 64);
+    return measure_rows(device, view(distance), grid, std::min<std::int64_t>(grid.rows, 64));
+  }
+  try {
+    const Buffer<std::uint8_t> marks(device, marked);
+    auto answers = Buffer<float>::of_size(device, grid.count());
+    count_columns(device, marks.view(), answers.view(), grid.columns, 1);
+    measure_rows(device, answers.view(), grid, grid.rows);
+    answers.read(distance);
+  } catch (const OutOfDeviceMemory&) {
+    transform_in_parts(device, grid, marked, distance);
+  }
 }
 
 }  // namespace gabarit

@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <utility>
+
 #include "gpu/atomic.h"
+#include "gpu/batches.h"
 #include "gpu/outline_cells.h"
 #include "gpu/parallel_for.h"
 
@@ -69,15 +73,25 @@ struct Outlines {
   }
 };
 
+// The cells from number `first` on of which there are values.
+template <class T>
+struct CellBand {
+  View<T> values;
+  std::int64_t first;
+
+  GABARIT_HD bool holds(std::int64_t cell) const { return cell >= first && cell - first < values.size; }
+  GABARIT_HD T& operator[](std::int64_t cell) const { return values[cell - first]; }
+};
+
 struct Mark {
   Outlines outlines;
-  View<std::uint8_t> cells;
+  CellBand<std::uint8_t> cells;
 
   GABARIT_HD void operator()(std::int64_t i) const {
     outlines.visit(
         i, [](std::int64_t, std::int64_t, double) { return true; },
         [&](std::int64_t cell) {
-          store_shared(cells[cell], 1);
+          if (cells.holds(cell)) store_shared(cells[cell], 1);
           return false;
         });
   }
@@ -85,7 +99,7 @@ struct Mark {
 
 struct Near {
   Outlines outlines;
-  View<const float> distance;
+  CellBand<const float> distance;
   double most;
   View<std::uint8_t> facets;
 
@@ -95,41 +109,89 @@ struct Near {
     outlines.visit(
         i,
         [&](std::int64_t a, std::int64_t b, double size) {
+          if (!distance.holds(a) || !distance.holds(b)) return true;
           return (static_cast<double>(distance[a]) + distance[b] - size) / 2 - middles <= most;
         },
-        [&](std::int64_t cell) { return near = distance[cell] <= most; });
+        [&](std::int64_t cell) { return near = distance.holds(cell) && distance[cell] <= most; });
     facets[i] = near ? 1 : 0;
   }
 };
 
 constexpr std::int64_t grain = 16384;
 
+Buffer<std::int32_t> cells_of_points(const Device& device, const PlanMesh& mesh, const CellGrid& grid) {
+  auto at = Buffer<std::int32_t>::of_size(device, mesh.points.size);
+  parallel_for(device, mesh.points.size, CellOfPoint{mesh, grid, at.view()}, grain);
+  return at;
+}
+
+PlanMesh some_of(PlanMesh mesh, std::int64_t begin, std::int64_t end) {
+  mesh.facets = {mesh.facets.data + begin, end - begin};
+  return mesh;
+}
+
+// Calls work(cells, number of the first) for bands of whole rows.
+template <class T, class Work>
+void in_bands(const CellGrid& grid, std::span<T> cells, Work&& work) {
+  in_batches(grid.rows, 1, [&](std::int64_t begin, std::int64_t end) {
+    const std::int64_t first = begin * grid.columns, count = (end - begin) * grid.columns;
+    work(cells.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)), first);
+  });
+}
+
 }  // namespace
 
-OutlineCells::OutlineCells(const Device& device, const PlanMesh& mesh, const CellGrid& grid)
-    : device_(device), grid_(grid), mesh_(mesh) {
-  at_ = Buffer<std::int32_t>::of_size(device, mesh.points.size);
-  parallel_for(device, mesh.points.size, CellOfPoint{mesh_, grid, at_.view()}, grain);
+OutlineCells::OutlineCells(const PlanFacets& plan, const CellGrid& grid)
+    : plan_(&plan), grid_(grid), stay_(plan.stay() && take_there()) {}
+
+bool OutlineCells::take_there() {
+  try {
+    at_ = cells_of_points(plan_->device(), plan_->mesh(), grid_);
+    return true;
+  } catch (const OutOfDeviceMemory&) {
+    return false;
+  }
+}
+
+// Calls work(outlines, number of the first facet) for facets in a row.
+template <class Work>
+void OutlineCells::in_parts(Work&& work) const {
+  in_batches(plan_->size(), facets_of_a_copy, [&](std::int64_t begin, std::int64_t end) {
+    if (stay_) return work(Outlines{some_of(plan_->mesh(), begin, end), grid_, at_.view()}, begin);
+    const PlanCopy copy = plan_->copy(begin, end);
+    const Buffer<std::int32_t> at = cells_of_points(plan_->device(), copy.mesh(), grid_);
+    work(Outlines{copy.mesh(), grid_, at.view()}, begin);
+  });
 }
 
 void OutlineCells::mark(std::span<std::uint8_t> cells) const {
-  const Outlines outlines{mesh_, grid_, at_.view()};
-  if (!device_.has_own_memory())
-    return parallel_for(device_, mesh_.facets.size, Mark{outlines, view(cells)}, grain);
-  Buffer<std::uint8_t> marked(device_, std::span<const std::uint8_t>(cells));
-  parallel_for(device_, mesh_.facets.size, Mark{outlines, marked.view()});
-  marked.read(cells);
+  const Device& device = plan_->device();
+  in_bands(grid_, cells, [&](std::span<std::uint8_t> band, std::int64_t first) {
+    Buffer<std::uint8_t> there;
+    if (device.has_own_memory()) there = {device, std::span<const std::uint8_t>(band)};
+    const CellBand<std::uint8_t> marked{device.has_own_memory() ? there.view() : view(band), first};
+    in_parts([&](const Outlines& outlines, std::int64_t) {
+      parallel_for(device, outlines.mesh.facets.size, Mark{outlines, marked}, grain);
+    });
+    if (device.has_own_memory()) there.read(band);
+  });
 }
 
 void OutlineCells::near(std::span<const float> distance, double most, std::span<std::uint8_t> facets) const {
-  const Outlines outlines{mesh_, grid_, at_.view()};
-  if (!device_.has_own_memory())
-    return parallel_for(device_, mesh_.facets.size, Near{outlines, view(distance), most, view(facets)},
-                        grain);
-  const Buffer<float> values(device_, distance);
-  auto answers = Buffer<std::uint8_t>::of_size(device_, mesh_.facets.size);
-  parallel_for(device_, mesh_.facets.size, Near{outlines, values.view(), most, answers.view()});
-  answers.read(facets);
+  const Device& device = plan_->device();
+  std::fill(facets.begin(), facets.end(), std::uint8_t{0});
+  in_bands(grid_, distance, [&](std::span<const float> band, std::int64_t first) {
+    Buffer<float> there;
+    if (device.has_own_memory()) there = {device, band};
+    const CellBand<const float> values{device.has_own_memory() ? std::as_const(there).view() : view(band),
+                                       first};
+    in_parts([&](const Outlines& outlines, std::int64_t begin) {
+      auto answers = Buffer<std::uint8_t>::of_size(device, outlines.mesh.facets.size);
+      parallel_for(device, answers.size(), Near{outlines, values, most, answers.view()}, grain);
+      for (const std::uint8_t near : std::move(answers).read())
+        facets[static_cast<std::size_t>(begin++)] |= near;
+    });
+  });
 }
 
 }  // namespace gabarit

@@ -23,25 +23,54 @@ struct PlanExtent {
   }
 };
 
+// Facets with corners of their own, in the memory of a device; numbered anew.
+struct PlanCopy {
+  Buffer<Vec3d> points;
+  Buffer<std::array<std::uint32_t, 3>> facets;
+  double from, to;
+
+  PlanMesh mesh() const { return {points.view(), facets.view(), from, to}; }
+};
+
+// Where there is room for them, all facets stay in the memory of the device; else they are copied in parts,
+// each time that they are looked at.
 class PlanFacets {
  public:
-  // The band reaches from height `from` to height `to`, which may be infinite. On a CPU `facets` are looked
-  // at where they are and must outlive this. Throws DeviceError and OutOfDeviceMemory.
+  // The band reaches from height `from` to height `to`, which may be infinite. `points` and `facets` must
+  // outlive this. Throws DeviceError, and OutOfDeviceMemory when not even few facets fit.
   PlanFacets(const Device& device, std::span<const Vec3d> points,
              std::span<const std::array<std::uint32_t, 3>> facets, const PlanAxes& axes, double from,
              double to);
 
   const Device& device() const { return device_; }
-  PlanMesh mesh() const;  // views of the device's memory
   const PlanExtent& extent() const { return extent_; }
+  std::int64_t size() const { return static_cast<std::int64_t>(facets_here_.size()); }
+
+  bool stay() const { return stay_; }
+  PlanMesh mesh() const;  // views of the device's memory; only when they stay there
+  PlanCopy copy(std::int64_t begin, std::int64_t end) const;
+  PlanCopy copy(std::span<const std::uint32_t> chosen) const;
 
  private:
+  using Corners = std::array<std::uint32_t, 3>;
+
+  bool take_there();
+  template <class FacetAt>
+  PlanCopy copy_of(std::int64_t n, FacetAt&& facet_at) const;
+  PlanExtent find_extent() const;
+
   Device device_;
-  std::span<const std::array<std::uint32_t, 3>> facets_here_;
-  Buffer<std::array<std::uint32_t, 3>> facets_;
-  Buffer<Vec3d> points_;
+  std::span<const Vec3d> points_here_;
+  std::span<const Corners> facets_here_;
+  PlanAxes axes_;
   double from_, to_;
+  bool stay_ = true;
+  Buffer<Corners> facets_;
+  Buffer<Vec3d> points_;
   PlanExtent extent_;
 };
+
+// How many facets are worth a copy of their own.
+constexpr std::int64_t facets_of_a_copy = 256;
 
 }  // namespace gabarit

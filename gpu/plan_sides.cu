@@ -1,3 +1,4 @@
+#include "gpu/batches.h"
 #include "gpu/parallel_for.h"
 #include "gpu/plan_sides.h"
 #include "gpu/prefix_sums.h"
@@ -35,46 +36,70 @@ GABARIT_HD int turn_of(const PlanPolygon& polygon, int i) {
   return 0;
 }
 
-struct CountSides {
+// Of a mesh; one that was copied for the list holds no others.
+struct ChosenFacets {
   PlanMesh mesh;
-  View<const std::uint32_t> facets;
+  View<const std::uint32_t> numbers;
+  bool copied;
+
+  GABARIT_HD std::int64_t place(std::int64_t i) const { return copied ? i : numbers[i]; }
+};
+
+struct CountSides {
+  ChosenFacets chosen;
   View<std::uint32_t> counts;
 
   GABARIT_HD void operator()(std::int64_t i) const {
-    const std::array<std::uint32_t, 3>& f = mesh.facets[facets[i]];
+    const PlanMesh& mesh = chosen.mesh;
+    const std::array<std::uint32_t, 3>& f = mesh.facets[chosen.place(i)];
     const bool whole =
         mesh.holds(mesh.points[f[0]]) && mesh.holds(mesh.points[f[1]]) && mesh.holds(mesh.points[f[2]]);
-    counts[i] = whole ? 3 : static_cast<std::uint32_t>(mesh.polygon(facets[i]).size);
+    counts[i] = whole ? 3 : static_cast<std::uint32_t>(mesh.polygon(chosen.place(i)).size);
   }
 };
 
 struct WriteSides {
-  PlanMesh mesh;
-  View<const std::uint32_t> facets;
+  ChosenFacets chosen;
   View<const std::uint32_t> first;  // by facet of the list, among all sides
   View<PlanSide> sides;
 
   GABARIT_HD void operator()(std::int64_t i) const {
-    const PlanPolygon polygon = mesh.polygon(facets[i]);
+    const PlanPolygon polygon = chosen.mesh.polygon(chosen.place(i));
     for (int k = 0; k < polygon.size; ++k)
-      sides[first[i] + k] = {polygon.corner[k], polygon.next(k), facets[i], polygon.edge[k],
+      sides[first[i] + k] = {polygon.corner[k], polygon.next(k), chosen.numbers[i], polygon.edge[k],
                              turn_of(polygon, k)};
   }
 };
 
-}  // namespace
-
-std::vector<PlanSide> plan_sides(const Device& device, const PlanMesh& mesh,
-                                 std::span<const std::uint32_t> facets) {
+std::vector<PlanSide> sides_of(const Device& device, const ChosenFacets& chosen) {
   constexpr std::int64_t grain = 4096;
-  const auto n = static_cast<std::int64_t>(facets.size());
-  const Buffer<std::uint32_t> list(device, facets);
+  const std::int64_t n = chosen.numbers.size;
   auto counts = Buffer<std::uint32_t>::of_size(device, n);
-  parallel_for(device, n, CountSides{mesh, list.view(), counts.view()}, grain);
+  parallel_for(device, n, CountSides{chosen, counts.view()}, grain);
   const PrefixSums sums = prefix_sums(device, counts);
   auto sides = Buffer<PlanSide>::of_size(device, sums.total);
-  parallel_for(device, n, WriteSides{mesh, list.view(), sums.before.view(), sides.view()}, grain);
+  parallel_for(device, n, WriteSides{chosen, sums.before.view(), sides.view()}, grain);
   return std::move(sides).read();
+}
+
+}  // namespace
+
+std::vector<PlanSide> plan_sides(const PlanFacets& plan, std::span<const std::uint32_t> facets) {
+  std::vector<PlanSide> all;
+  in_batches(
+      static_cast<std::int64_t>(facets.size()), facets_of_a_copy, [&](std::int64_t begin, std::int64_t end) {
+        const auto some =
+            facets.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+        const Buffer<std::uint32_t> numbers(plan.device(), some);
+        const PlanCopy copy = plan.stay() ? PlanCopy{} : plan.copy(some);
+        std::vector<PlanSide> sides =
+            sides_of(plan.device(), {plan.stay() ? plan.mesh() : copy.mesh(), numbers.view(), !plan.stay()});
+        if (all.empty())
+          all = std::move(sides);
+        else
+          all.insert(all.end(), sides.begin(), sides.end());
+      });
+  return all;
 }
 
 }  // namespace gabarit

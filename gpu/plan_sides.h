@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gpu/device.h"
-#include "gpu/plan_mesh.h"
+#include "gpu/plan_facets.h"
 
 namespace gabarit {
 
@@ -22,8 +21,8 @@ struct PlanSide {
 constexpr int doubtful_turn = 2;
 
 // All sides of what the band leaves of these facets, facet by facet in the order given. A turn is either
-// certain or doubtful. `mesh`: views of the device's memory. Throws DeviceError and OutOfDeviceMemory.
-std::vector<PlanSide> plan_sides(const Device& device, const PlanMesh& mesh,
-                                 std::span<const std::uint32_t> facets);
+// certain or doubtful. What does not fit at once is found in batches. Throws DeviceError and
+// OutOfDeviceMemory.
+std::vector<PlanSide> plan_sides(const PlanFacets& plan, std::span<const std::uint32_t> facets);
 
 }  // namespace gabarit

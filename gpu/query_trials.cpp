@@ -159,7 +159,7 @@ struct PlanState {
       : grid(grid_over(surface)),
         facets(corners_of(surface)),
         plan(plan_of(device, surface, facets)),
-        outlines(device, plan.mesh(), grid),
+        outlines(plan, grid),
         cells(static_cast<std::size_t>(grid.count())),
         distance(cells.size()) {}
   void mark() {
@@ -178,7 +178,7 @@ PreparedTrial projection(const Device& device, const FacetSurface& surface) {
   for (std::uint32_t f = 0; f < state->facets.size(); f += 2) chosen.push_back(f);
   return {[=, &surface] {
             const PlanFacets plan = plan_of(device, surface, state->facets);
-            state->sides = plan_sides(device, plan.mesh(), chosen);
+            state->sides = plan_sides(plan, chosen);
           },
           [state] { return bits_of(state->sides); }};
 }

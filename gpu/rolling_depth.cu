@@ -1,8 +1,13 @@
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "gpu/atomic.h"
+#include "gpu/batches.h"
+#include "gpu/buffer.h"
 #include "gpu/parallel_for.h"
 #include "gpu/rolling_depth.h"
+#include "gpu/segment_grid.h"
 
 namespace gabarit {
 namespace {
@@ -109,70 +114,206 @@ struct Gain {
   }
 };
 
-struct LowerDepthsAround {
+// From a place to what it touches, or nearly.
+struct Nearest {
+  double distance = infinity;
+  Point2 way;
+
+  // Of several that are as near always the same one, whichever comes first.
+  GABARIT_HD bool beyond(double other, Point2 to) const {
+    if (other != distance) return other < distance;
+    return to.x != way.x ? to.x < way.x : to.y < way.y;
+  }
+};
+
+struct Around {
   SegmentSquares squares;
   View<const Segment2> sides, places;
   RollingDisk disk;
-  View<std::uint32_t> depth;
 
-  GABARIT_HD void operator()(std::int64_t i) const {
-    const Segment2 place = places[i];
-    const double most = disk.radius + disk.tolerance;
-    const double reach = most + disk.apart;
-    Point2 nearest;
-    double least = infinity;
-    visit_near(squares, place, disk.radius, reach, {}, [&](std::uint32_t side) {
-      const Point2 way = nearest_point(place.from, sides[side]) - place.from;
-      if (const double d = length(way); d < least) least = d, nearest = way;
-    });
-    if (!(least < infinity)) return;
-    // A hair for the rounding of the place.
-    const double inwards = disk.apart * disk.apart / (2 * disk.radius) + 1e-6 * disk.radius;
-    const Gain gain{nearest * (1 / least), disk.apart, inwards};
-    visit_near(squares, place, disk.radius, reach, {}, [&](std::uint32_t side) {
-      const Point2 way = nearest_point(place.from, sides[side]) - place.from;
-      const double d = length(way);
-      if (d <= reach && d - gain(way * (1 / d)) <= most) lower(depth[side], d - disk.radius);
+  GABARIT_HD double most() const { return disk.radius + disk.tolerance; }
+  // Calls use(side, distance, way to it) for what may be near the place.
+  template <class Use>
+  GABARIT_HD void visit(std::int64_t place, Use&& use) const {
+    const Segment2 at = places[place];
+    visit_near(squares, at, disk.radius, most() + disk.apart, {}, [&](std::uint32_t side) {
+      const Point2 way = nearest_point(at.from, sides[side]) - at.from;
+      use(side, length(way), way);
     });
   }
 };
 
+struct FindNearest {
+  Around around;
+  View<Nearest> nearest;
+
+  GABARIT_HD void operator()(std::int64_t i) const {
+    Nearest best = nearest[i];
+    around.visit(i, [&](std::uint32_t, double d, Point2 way) {
+      if (best.beyond(d, way)) best = {d, way};
+    });
+    nearest[i] = best;
+  }
+};
+
+struct LowerDepthsAround {
+  Around around;
+  View<const Nearest> nearest;
+  View<std::uint32_t> depth;
+
+  GABARIT_HD void operator()(std::int64_t i) const {
+    if (!(nearest[i].distance < infinity)) return;
+    const RollingDisk& disk = around.disk;
+    // A hair for the rounding of the place.
+    const double inwards = disk.apart * disk.apart / (2 * disk.radius) + 1e-6 * disk.radius;
+    const Gain gain{nearest[i].way * (1 / nearest[i].distance), disk.apart, inwards};
+    const double most = around.most();
+    around.visit(i, [&](std::uint32_t side, double d, Point2 way) {
+      if (d <= most + disk.apart && d - gain(way * (1 / d)) <= most) lower(depth[side], d - disk.radius);
+    });
+  }
+};
+
+// Copied to a device that has its own memory, else where they are.
+template <class T>
+class Kept {
+ public:
+  Kept(const Device& device, View<const T> all) : here_(all) {
+    const std::span some(all.data, static_cast<std::size_t>(all.size));
+    if (device.has_own_memory()) there_.emplace(device, some);
+  }
+  View<const T> view() const { return there_ ? there_->view() : here_; }
+  std::size_t bytes() const { return there_ ? there_->bytes() : 0; }
+
+ private:
+  View<const T> here_;
+  std::optional<const Buffer<T>> there_;
+};
+
+std::size_t index(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// Calls work(begin, part of `centres` in the device's memory).
+template <class Work>
+void in_parts_of_path(const Device& device, std::span<const Segment2> centres, Work&& work) {
+  constexpr std::int64_t few = 64;
+  in_batches(static_cast<std::int64_t>(centres.size()), few, [&](std::int64_t begin, std::int64_t end) {
+    const Buffer<Segment2> path(device, centres.subspan(index(begin), index(end - begin)));
+    work(begin, path.view());
+  });
+}
+
 }  // namespace
+
+// Segments and the squares they lie in, in the memory of a device.
+class SidesThere {
+ public:
+  // On a CPU both must outlive this.
+  SidesThere(const Device& device, const SegmentSquares& squares, std::span<const Segment2> segments)
+      : shape_(squares.squares),
+        first_(device, squares.first),
+        numbers_(device, squares.numbers),
+        segments_(device, gabarit::view(segments)) {}
+
+  SegmentSquares squares() const { return {shape_, first_.view(), numbers_.view()}; }
+  View<const Segment2> segments() const { return segments_.view(); }
+  std::size_t bytes() const { return first_.bytes() + numbers_.bytes() + segments_.bytes(); }
+
+ private:
+  Squares shape_;
+  Kept<std::uint32_t> first_, numbers_;
+  Kept<Segment2> segments_;
+};
+
+// As much again has to be free: what looks at them needs room too.
+static std::shared_ptr<const SidesThere> all_there(const Device& device, const SegmentSquares& squares,
+                                                   std::span<const Segment2> segments) {
+  try {
+    auto all = std::make_shared<const SidesThere>(device, squares, segments);
+    if (device.has_own_memory()) static_cast<void>(DeviceMemory(device, all->bytes()));
+    return all;
+  } catch (const OutOfDeviceMemory&) {
+    return nullptr;
+  }
+}
 
 RollingDepth::RollingDepth(const Device& device, const SegmentSquares& squares,
                            std::span<const Segment2> segments)
-    : device_(device), squares_(squares), segments_(gabarit::view(segments)) {
-  if (!device.has_own_memory()) return;
-  const auto span = [](const View<const std::uint32_t>& all) {
-    return std::span(all.data, static_cast<std::size_t>(all.size));
-  };
-  first_ = Buffer<std::uint32_t>(device, span(squares.first));
-  numbers_ = Buffer<std::uint32_t>(device, span(squares.numbers));
-  kept_ = Buffer<Segment2>(device, segments);
-  squares_.first = std::as_const(first_).view();
-  squares_.numbers = std::as_const(numbers_).view();
-  segments_ = std::as_const(kept_).view();
+    : device_(device),
+      size_(squares.squares.size),
+      segments_(segments),
+      all_(all_there(device, squares, segments)) {}
+
+// Squares no smaller than `least`, of which there are few for each segment.
+static SegmentGrid grid_of_part(std::span<const Segment2> segments, double least) {
+  Box2 box;
+  for (const Segment2& s : segments) box.add(s.from), box.add(s.to);
+  const Point2 extent = box.high - box.low;
+  const double few = 2 * static_cast<double>(segments.size());
+  return {segments, std::max({least, std::sqrt(extent.x * extent.y / few), extent.x / few, extent.y / few})};
+}
+
+// Calls work(sides, number of the first segment).
+template <class Work>
+void RollingDepth::in_parts(Work&& work) const {
+  if (all_) return work(*all_, 0);
+  constexpr std::int64_t few = 256;
+  in_batches(static_cast<std::int64_t>(segments_.size()), few, [&](std::int64_t begin, std::int64_t end) {
+    const auto part = segments_.subspan(index(begin), index(end - begin));
+    const SegmentGrid grid = grid_of_part(part, size_);
+    work(SidesThere(device_, grid.lists(), part), begin);
+  });
+}
+
+static void find_nearest(const Device& device, const Around& around, std::span<Nearest> nearest) {
+  Buffer<Nearest> there(device, std::span<const Nearest>(nearest));
+  parallel_for(device, around.places.size, FindNearest{around, there.view()}, 16);
+  there.read(nearest);
+}
+
+// `nearest`: to each place; not looked at when the path is all that is known.
+static void lower_depths(const Device& device, const Around& around, std::span<const Nearest> nearest,
+                         View<std::uint32_t> depth) {
+  if (around.disk.apart > 0) {
+    const Buffer<Nearest> known(device, nearest);
+    parallel_for(device, around.places.size, LowerDepthsAround{around, known.view(), depth}, 16);
+    return;
+  }
+  // A warp of a GPU shares a centre: its threads look at rows side by side.
+  const std::int64_t slices = device.has_own_memory() ? 32 : 1;
+  parallel_for(device, around.places.size * slices,
+               LowerDepths{around.squares, around.sides, around.places, around.disk.radius, around.most(),
+                           slices, depth},
+               16 * slices);
 }
 
 std::vector<float> RollingDepth::along(std::span<const Segment2> centres, const RollingDisk& disk) const {
-  const auto n = static_cast<std::int64_t>(centres.size());
-  const Buffer<Segment2> path(device_, centres);
-  Buffer<std::uint32_t> lowest(device_,
-                               std::vector<std::uint32_t>(static_cast<std::size_t>(segments_.size),
-                                                          ordered(std::numeric_limits<float>::infinity())));
+  std::vector<std::uint32_t> lowest(segments_.size(), ordered(std::numeric_limits<float>::infinity()));
+  std::vector<Nearest> nearest(disk.apart > 0 ? centres.size() : 0);
+  // Calls use(around, what is known to be nearest to its places) for parts of the path.
+  const auto for_path = [&](const SidesThere& sides, auto&& use) {
+    in_parts_of_path(device_, centres, [&](std::int64_t begin, View<const Segment2> path) {
+      const auto known = std::span(nearest).subspan(nearest.empty() ? 0 : index(begin));
+      use(Around{sides.squares(), sides.segments(), path, disk},
+          known.first(nearest.empty() ? 0 : index(path.size)));
+    });
+  };
   if (disk.apart > 0) {
-    parallel_for(device_, n, LowerDepthsAround{squares_, segments_, path.view(), disk, lowest.view()}, 16);
-  } else {
-    // A warp of a GPU shares a centre: its threads look at rows side by side.
-    const std::int64_t slices = device_.has_own_memory() ? 32 : 1;
-    parallel_for(device_, n * slices,
-                 LowerDepths{squares_, segments_, path.view(), disk.radius, disk.radius + disk.tolerance,
-                             slices, lowest.view()},
-                 16 * slices);
+    in_parts([&](const SidesThere& sides, std::int64_t) {
+      for_path(sides,
+               [&](const Around& around, std::span<Nearest> some) { find_nearest(device_, around, some); });
+    });
   }
+  in_parts([&](const SidesThere& sides, std::int64_t first) {
+    const auto part = std::span(lowest).subspan(index(first), index(sides.segments().size));
+    Buffer<std::uint32_t> depth(device_, std::span<const std::uint32_t>(part));
+    for_path(sides, [&](const Around& around, std::span<const Nearest> known) {
+      lower_depths(device_, around, known, depth.view());
+    });
+    depth.read(part);
+  });
   std::vector<float> depth;
-  depth.reserve(static_cast<std::size_t>(segments_.size));
-  for (const std::uint32_t order : std::move(lowest).read()) depth.push_back(from_ordered(order));
+  depth.reserve(lowest.size());
+  for (const std::uint32_t order : lowest) depth.push_back(from_ordered(order));
   return depth;
 }
 

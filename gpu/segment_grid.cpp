@@ -23,7 +23,7 @@ void SegmentGrid::for_each_square(const Segment2& s, Use&& use) const {
   }
 }
 
-SegmentGrid::SegmentGrid(const std::vector<Segment2>& segments, double size) {
+SegmentGrid::SegmentGrid(std::span<const Segment2> segments, double size) {
   Box2 box;
   for (const Segment2& s : segments) {
     box.add(s.from);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gpu/segment_squares.h"
@@ -28,7 +29,7 @@ inline double box_gap(Point2 low, Point2 high, const Box2& b) {
 class SegmentGrid {
  public:
   // Squares of about `size`; larger where a side of the grid would have more than 2048 of them.
-  SegmentGrid(const std::vector<Segment2>& segments, double size);
+  SegmentGrid(std::span<const Segment2> segments, double size);
 
   // Visits the numbers of the segments in the squares within `reach` of the box [low, high] along each axis,
   // a segment once a square. wanted(low, high of the square) is asked before each square that holds any.

@@ -63,6 +63,7 @@ static Output pdf_output(const Report& report, const WriteOptions& options) {
             PdfOptions pdf;
             pdf.device = Device::cpu(options.threads);
             pdf.palette = options.palette;
+            pdf.installed = options.installed;
             write_pdf(report, pdf, file);
           }};
 }

@@ -19,6 +19,7 @@ struct WriteOptions {
   std::vector<Format> formats{Format::pdf, Format::stl, Format::json};
   bool fields = false;
   ColourMap palette = ColourMap::by_limit;  // of the PDF's heat maps
+  std::filesystem::path installed;  // what came with the program, see report/installation.h; may be empty
   int threads = 0;
   std::function<std::string()> run_record;  // the text of run.json, asked for last; empty: no such file
   std::function<void(const char* stage, double fraction)> progress;  // may be empty

@@ -13,7 +13,8 @@
 namespace gabarit {
 
 static pdf::FontFiles fonts_for(const PdfOptions& options) {
-  return options.font_folders ? pdf::find_fonts(*options.font_folders) : pdf::find_fonts();
+  return options.font_folders ? pdf::find_fonts(*options.font_folders)
+                              : pdf::find_usual_fonts(options.installed);
 }
 
 void write_pdf(const Report& report, const PdfOptions& options, OutputFile& file) {

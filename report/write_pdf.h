@@ -29,7 +29,8 @@ struct PdfOptions {
   double resolution = 200, megapixels = 12;
   ColourMap palette = ColourMap::by_limit;  // of the pictures that show values
   PdfLimits limits = {};
-  // Where fonts are looked for; not given: see pdf::find_fonts.
+  std::filesystem::path installed = {};  // what came with the program, fonts among it; may be empty
+  // Where fonts are looked for; not given: see pdf::find_usual_fonts.
   std::optional<std::vector<std::filesystem::path>> font_folders = {};
   std::function<void(double fraction)> progress = {};  // may be empty
 };

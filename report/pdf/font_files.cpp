@@ -6,8 +6,6 @@
 #include <sstream>
 #include <string>
 
-#include "report/installation.h"
-
 namespace gabarit::pdf {
 
 namespace fs = std::filesystem;
@@ -55,7 +53,7 @@ FontFiles find_fonts(const std::vector<fs::path>& folders) {
   return fonts;
 }
 
-static std::vector<fs::path> usual_folders() {
+static std::vector<fs::path> usual_folders(const fs::path& installed) {
   std::vector<fs::path> folders;
   if (const char* const named_by_user = std::getenv("GABARIT_FONTS")) {
     std::istringstream list(named_by_user);
@@ -64,8 +62,7 @@ static std::vector<fs::path> usual_folders() {
     }
     return folders;
   }
-  if (const fs::path installed = installed_files(); !installed.empty())
-    folders.push_back(installed / "fonts");
+  if (!installed.empty()) folders.push_back(installed / "fonts");
   if (const char* const home = std::getenv("HOME")) {
     folders.push_back(fs::path(home) / ".local/share/fonts");
     folders.push_back(fs::path(home) / ".fonts");
@@ -74,6 +71,6 @@ static std::vector<fs::path> usual_folders() {
   return folders;
 }
 
-FontFiles find_fonts() { return find_fonts(usual_folders()); }
+FontFiles find_usual_fonts(const fs::path& installed) { return find_fonts(usual_folders(installed)); }
 
 }  // namespace gabarit::pdf

@@ -13,9 +13,9 @@ struct FontFiles {
   std::vector<std::filesystem::path> fallbacks;
 };
 
-// Looks in the folders named by the environment's GABARIT_FONTS (separated by `:`) first; when that is set,
-// nowhere else.
-FontFiles find_fonts();
+// Below `installed` (see report/installation.h), then in the machine's folders; when the environment's
+// GABARIT_FONTS names folders (separated by `:`), only in these.
+FontFiles find_usual_fonts(const std::filesystem::path& installed);
 // Below the given folders, in their order.
 FontFiles find_fonts(const std::vector<std::filesystem::path>& folders);
 

@@ -1,45 +1,16 @@
 // Whole checks: every measure and every contact on every kind of model, the same bits on every device at
 // hand.
-#include <bit>
-
 #include <gtest/gtest.h>
 
 #include "checks/radius.h"
 #include "checks/vertical_cylinder_contact.h"
 #include "tests/block_solid.h"
+#include "tests/checks/field_bits.h"
 #include "tests/checks/wall_fields.h"
 #include "tests/gpu/other_devices.h"
 
 namespace gabarit {
 namespace {
-
-using Bits = std::vector<std::uint64_t>;
-
-void add(Bits& bits, double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); }
-void add(Bits& bits, const Vec3d& p) { add(bits, p.x), add(bits, p.y), add(bits, p.z); }
-
-Bits bits_of(const Field& field) {
-  Bits bits;
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    bits.push_back(field.facets[i]), bits.push_back(static_cast<std::uint64_t>(field.absence[i]));
-    add(bits, field.value[i]), add(bits, field.lower[i]), add(bits, field.upper[i]);
-    add(bits, field.at[i]), add(bits, field.contact[i]);
-  }
-  return bits;
-}
-
-Bits bits_of(const Region& region) {
-  Bits bits;
-  for (std::size_t f = 0; f < region.facets.size(); ++f) {
-    bits.push_back(static_cast<std::uint64_t>(region.facets[f]));
-    for (const Selected edge : region.edges[f]) bits.push_back(static_cast<std::uint64_t>(edge));
-    add(bits, region.depth[f]);
-  }
-  for (const Trace& trace : region.traces) {
-    for (const Vec3d& p : trace.points) add(bits, p);
-  }
-  return bits;
-}
 
 TriangleMesh casting() { return shapes::with_facets(shapes::ribbed_casting(), 300); }
 

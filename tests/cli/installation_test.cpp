@@ -46,7 +46,15 @@ TEST_F(InstalledProgram, takes_a_file_of_the_user_before_a_pack_of_the_same_name
 TEST_F(InstalledProgram, says_what_the_user_wrote_when_there_is_neither) {
   const Ending run = validate("unknown");
   EXPECT_EQ(run.exit, 2);
-  EXPECT_THAT(run.err, HasSubstr("unknown: "));
+  EXPECT_THAT(run.err, HasSubstr("unknown: error: there is no such file, and no rule pack of that name"));
+  EXPECT_THAT(run.err, HasSubstr("are: pack\n"));
+}
+
+TEST_F(InstalledProgram, says_that_its_packs_were_not_found) {
+  std::filesystem::remove_all(folder_ / "share");
+  const Ending run = validate("pack");
+  EXPECT_EQ(run.exit, 2);
+  EXPECT_THAT(run.err, HasSubstr("the rule packs of the program were not found"));
 }
 
 TEST_F(InstalledProgram, looks_for_no_pack_where_a_folder_is_named) { EXPECT_EQ(validate("./pack").exit, 2); }

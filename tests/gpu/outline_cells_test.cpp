@@ -16,8 +16,8 @@ struct Facets {
   std::vector<Vec3d> points;
   std::vector<std::array<std::uint32_t, 3>> facets;
 
-  PlanMesh mesh(double from = -infinity, double to = infinity) const {
-    return {view(std::span(points)), view(std::span(facets)), from, to};
+  PlanFacets plan(double from, double to, const Device& device = Device::cpu(2)) const {
+    return {device, points, facets, {}, from, to};
   }
 };
 
@@ -51,20 +51,21 @@ Point2 middle(std::int64_t cell) {
   return {static_cast<double>(cell % grid.columns) + 0.5, static_cast<double>(cell / grid.columns) + 0.5};
 }
 
-std::vector<std::uint8_t> marked(const PlanMesh& mesh, const Device& device = Device::cpu(1)) {
+std::vector<std::uint8_t> marked(const PlanFacets& plan) {
   std::vector<std::uint8_t> cells(static_cast<std::size_t>(grid.count()), 0);
-  OutlineCells(device, mesh, grid).mark(cells);
+  OutlineCells(plan, grid).mark(cells);
   return cells;
 }
 
 class Band : public testing::TestWithParam<std::pair<double, double>> {
  protected:
   const Facets all = random_facets();
-  const PlanMesh mesh = all.mesh(GetParam().first, GetParam().second);
+  const PlanFacets plan = all.plan(GetParam().first, GetParam().second);
+  const PlanMesh mesh = plan.mesh();
 };
 
 TEST_P(Band, every_place_of_an_outline_lies_in_or_beside_a_marked_cell) {
-  const auto cells = marked(mesh);
+  const auto cells = marked(plan);
   for (std::int64_t f = 0; f < mesh.facets.size; ++f) {
     for_each_place(mesh.polygon(f), [&](Point2 p) {
       const std::int64_t at = grid.cell(p);
@@ -78,7 +79,7 @@ TEST_P(Band, every_place_of_an_outline_lies_in_or_beside_a_marked_cell) {
 }
 
 TEST_P(Band, no_cell_is_marked_that_no_outline_passes_through) {
-  auto cells = marked(mesh);
+  auto cells = marked(plan);
   for (std::int64_t f = 0; f < mesh.facets.size; ++f) {
     for_each_place(mesh.polygon(f), [&](Point2 p) {
       for (const double x : {-0.1, 0.0, 0.1}) {
@@ -96,7 +97,7 @@ TEST_P(Band, a_facet_is_near_when_a_place_of_its_outline_lies_in_a_near_cell) {
     distance.push_back(static_cast<float>(length(middle(c) - Point2{50, 50})));
   std::vector<std::uint8_t> near(static_cast<std::size_t>(mesh.facets.size));
   constexpr double most = 20;
-  OutlineCells(Device::cpu(2), mesh, grid).near(distance, most, near);
+  OutlineCells(plan, grid).near(distance, most, near);
   for (std::int64_t f = 0; f < mesh.facets.size; ++f) {
     double least = infinity;
     for_each_place(mesh.polygon(f), [&](Point2 p) {
@@ -109,7 +110,10 @@ TEST_P(Band, a_facet_is_near_when_a_place_of_its_outline_lies_in_a_near_cell) {
   }
 }
 
-TEST_P(Band, threads_make_no_difference) { EXPECT_EQ(marked(mesh), marked(mesh, Device::cpu(4))); }
+TEST_P(Band, threads_make_no_difference) {
+  for (const Device& device : {Device::cpu(1), Device::cpu(4), Device::simulated(2)})
+    EXPECT_EQ(marked(plan), marked(all.plan(GetParam().first, GetParam().second, device)));
+}
 
 INSTANTIATE_TEST_SUITE_P(OutlineCells, Band,
                          testing::Values(std::pair(-infinity, infinity), std::pair(30.0, 60.0)));

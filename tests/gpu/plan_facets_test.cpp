@@ -42,14 +42,14 @@ TEST(PlanFacets, facets_that_cannot_be_measured_are_counted_and_leave_no_sides) 
     const PlanFacets plan(device, points, facets, {}, -infinity, infinity);
     EXPECT_EQ(plan.extent().left_out, 2);
     EXPECT_EQ(plan.extent().high, (Point2{10, 10}));
-    EXPECT_EQ(plan_sides(device, plan.mesh(), std::vector<std::uint32_t>{0, 1, 2}).size(), 3U);
+    EXPECT_EQ(plan_sides(plan, std::vector<std::uint32_t>{0, 1, 2}).size(), 3U);
   }
 }
 
 TEST(PlanSides, of_a_facet_run_around_it_and_know_where_it_lies) {
   const Device device = Device::simulated(1);
   const PlanFacets plan(device, corners_of_a_square, two_facets, {}, -infinity, infinity);
-  const std::vector<PlanSide> sides = plan_sides(device, plan.mesh(), std::vector<std::uint32_t>{1, 0});
+  const std::vector<PlanSide> sides = plan_sides(plan, std::vector<std::uint32_t>{1, 0});
   ASSERT_EQ(sides.size(), 6U);
   EXPECT_EQ(sides[0].facet, 1U);
   EXPECT_EQ(sides[3].facet, 0U);
@@ -62,7 +62,7 @@ TEST(PlanSides, of_a_facet_run_around_it_and_know_where_it_lies) {
 
 TEST(PlanSides, where_the_band_cuts_a_facet_a_side_has_no_edge) {
   const PlanFacets plan(Device::cpu(1), corners_of_a_square, two_facets, {}, 0, 10);
-  const std::vector<PlanSide> sides = plan_sides(Device::cpu(1), plan.mesh(), std::vector<std::uint32_t>{0});
+  const std::vector<PlanSide> sides = plan_sides(plan, std::vector<std::uint32_t>{0});
   ASSERT_EQ(sides.size(), 4U);
   EXPECT_EQ(std::count_if(sides.begin(), sides.end(), [](const PlanSide& s) { return s.edge == 3; }), 1);
   for (const PlanSide& s : sides) EXPECT_LE(s.from.y, 5);
@@ -81,7 +81,7 @@ TEST(PlanSides, turns_are_those_of_exact_areas_or_doubtful) {
     all.push_back(f);
   }
   const PlanFacets plan(Device::cpu(1), points, facets, {}, -infinity, infinity);
-  const std::vector<PlanSide> sides = plan_sides(Device::cpu(1), plan.mesh(), all);
+  const std::vector<PlanSide> sides = plan_sides(plan, all);
   ASSERT_EQ(sides.size(), 9000U);
   for (std::size_t i = 0; i < sides.size(); i += 3) {
     const double area = cross(sides[i].to - sides[i].from, sides[i + 1].to - sides[i].from);
@@ -99,7 +99,7 @@ TEST(PlanSides, a_turn_that_rounding_may_decide_is_doubtful) {
     const double y = 0.3 + i * 1e-17 * 4;
     const std::vector<Vec3d> points{{0.1, 0.1, 0}, {0.3, y, 0}, {24.3, 24.3, 0}};
     const PlanFacets plan(Device::cpu(1), points, facet, {}, -infinity, infinity);
-    for (const PlanSide& s : plan_sides(Device::cpu(1), plan.mesh(), std::vector<std::uint32_t>{0}))
+    for (const PlanSide& s : plan_sides(plan, std::vector<std::uint32_t>{0}))
       doubtful += s.turn == doubtful_turn ? 1 : 0;
   }
   EXPECT_GT(doubtful, 0);

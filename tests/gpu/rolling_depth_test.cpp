@@ -35,15 +35,15 @@ struct Scene {
   Segments segments, centres;
 };
 
-Scene random_scene(unsigned seed, bool places) {
+Scene random_scene(unsigned seed, bool places, std::size_t segments = 300, int centres = 40) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> anywhere(-60, 60), step(-15, 15);
   Scene scene;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < centres; ++i) {
     const Point2 a{anywhere(random), anywhere(random)};
     scene.centres.push_back({a, places || i % 2 == 0 ? a : a + Point2{step(random), step(random)}});
   }
-  while (scene.segments.size() < 300) {
+  while (scene.segments.size() < segments) {
     const Point2 a{2 * anywhere(random), 2 * anywhere(random)};
     const Segment2 s{a, a + Point2{step(random), step(random)}};
     double least = 1e300;
@@ -84,6 +84,31 @@ TEST(RollingDepth, is_the_same_bits_on_every_device_and_for_squares_of_any_size)
     for (const double square : {0.5, 11.0, 400.0})
       EXPECT_EQ(expected, depths(scene.segments, scene.centres, disk, plain_cpu, square));
   }
+}
+
+TEST(RollingDepth, is_the_same_bits_in_batches_of_sides_and_centres) {
+  for (const bool places : {false, true}) {
+    const Scene scene = random_scene(6, places, 2000, 300);
+    const RollingDisk disk{20, 2, places ? 1.5 : 0.0};
+    const std::vector<float> expected = depths(scene.segments, scene.centres, disk, plain_cpu);
+    for (const std::size_t room : {400'000U, 100'000U, 60'000U}) {
+      MemoryLimit limit(room);
+      EXPECT_EQ(expected, depths(scene.segments, scene.centres, disk, Device::simulated(1, &limit))) << room;
+    }
+  }
+}
+
+// Which of two walls it is taken to touch must not hang on the batch that comes first.
+TEST(RollingDepth, of_a_place_that_touches_two_walls_does_not_depend_on_batches) {
+  Segments walls{{{0, 20}, {50, 20}}, {{0, 21}, {90, 21}}};
+  for (int i = 0; i < 2000; ++i) walls.push_back({{200, 0.01 * i}, {210, 0.01 * i}});
+  walls.push_back({{0, -20}, {50, -20}});
+  walls.push_back({{0, -21}, {90, -21}});
+  const Segments place{{{25, 0}, {25, 0}}};
+  const std::vector<float> expected = depths(walls, place, {20, 0.5, 3}, plain_cpu);
+  EXPECT_NE(std::isinf(expected[1]), std::isinf(expected.back()));
+  MemoryLimit limit(60'000);
+  EXPECT_EQ(expected, depths(walls, place, {20, 0.5, 3}, Device::simulated(1, &limit)));
 }
 
 TEST(RollingDepth, moves_with_the_plan_and_does_not_depend_on_the_order) {

@@ -70,6 +70,15 @@ TEST(SimulatedDevice, queries_that_do_not_fit_go_in_batches_and_give_the_same_bi
   expect_same(all, ask(tree, surface));
 }
 
+TEST(SimulatedDevice, a_tree_that_it_has_no_room_to_build_is_built_by_the_cpu) {
+  const FacetSurface surface = bumpy_ball(30, 40, 10, 0.2);
+  const Bvh here(Device::cpu(1), surface);
+  MemoryLimit limit(here.bytes() + 100);
+  const Bvh there(Device::simulated(1, &limit), surface);
+  EXPECT_EQ(here.order(), there.order());
+  EXPECT_EQ(here.bytes(), there.bytes());
+}
+
 TEST(SimulatedDevice, a_tree_that_does_not_fit_is_out_of_memory) {
   MemoryLimit limit(10'000);
   EXPECT_THROW(Bvh(Device::simulated(1, &limit), bumpy_ball(30, 40, 10, 0)), OutOfDeviceMemory);

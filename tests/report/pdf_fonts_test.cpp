@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // A folder with DejaVu and nothing else.
 void put_dejavu(const fs::path& folder) {
-  const pdf::FontFiles files = pdf::find_fonts();
+  const pdf::FontFiles files = pdf::find_usual_fonts({});
   for (const fs::path& file : {files.regular, files.bold, files.mono}) {
     ASSERT_FALSE(file.empty()) << "fonts-dejavu-core is not installed";
     fs::create_symlink(file, folder / file.filename());
@@ -47,7 +47,7 @@ TEST(pdf_fonts, japanese_without_a_font_for_it_is_visibly_replaced_and_named) {
 }
 
 TEST(pdf_fonts, japanese_with_a_font_for_it_comes_back) {
-  if (pdf::find_fonts().fallbacks.empty()) GTEST_SKIP() << "no Japanese font on this machine";
+  if (pdf::find_usual_fonts({}).fallbacks.empty()) GTEST_SKIP() << "no Japanese font on this machine";
   SampleReport sample;
   sample.model.file = "燃料タンク.stl";
   EXPECT_THAT(pdf_text(sample.report()), HasSubstr("燃料タンク.stl"));
@@ -74,9 +74,9 @@ TEST(pdf_fonts, a_file_that_is_no_font_is_passed_over) {
 TEST(pdf_fonts, the_folders_of_the_environment_go_before_all_others) {
   const TemporaryFolder folder;
   setenv("GABARIT_FONTS", folder.path().c_str(), 1);
-  EXPECT_TRUE(pdf::find_fonts().regular.empty());
+  EXPECT_TRUE(pdf::find_usual_fonts({}).regular.empty());
   unsetenv("GABARIT_FONTS");
-  EXPECT_FALSE(pdf::find_fonts().regular.empty());
+  EXPECT_FALSE(pdf::find_usual_fonts({}).regular.empty());
 }
 
 }  // namespace

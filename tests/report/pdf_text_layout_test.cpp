@@ -16,7 +16,7 @@ class TextLayout : public testing::Test {
   }
 
   Document document_{"", "", ""};
-  Fonts fonts_{document_, find_fonts()};
+  Fonts fonts_{document_, find_usual_fonts({})};
 };
 
 TEST_F(TextLayout, lines_break_at_spaces_and_fit) {
