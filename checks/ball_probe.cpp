@@ -6,6 +6,7 @@
 
 #include "checks/ray_exits.h"
 #include "gpu/maximal_sphere.h"
+#include "gpu/parallel_for.h"
 
 namespace gabarit {
 namespace {
@@ -32,16 +33,22 @@ class BallProbe {
       : surface_(&surface), options_(options) {}
 
   void operator()(std::span<const CellQuery> queries, std::span<CellAnswer> answers) const {
-    std::vector<SphereQuery> spheres;
-    spheres.reserve(queries.size());
-    for (const CellQuery& q : queries) spheres.push_back(sphere(q, q.direction));
+    std::vector<SphereQuery> spheres(queries.size());
+    for_each(queries, [&](std::size_t i) { spheres[i] = sphere(queries[i], queries[i].direction); });
     std::vector<SphereContact> found = balls(spheres);
     ask_again_across_folds(queries, found);
-    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer(queries[i], found[i]);
+    for_each(queries, [&](std::size_t i) { answers[i] = answer(queries[i], found[i]); });
     mark_open(queries, answers);
   }
 
  private:
+  template <class Work>
+  void for_each(std::span<const CellQuery> queries, const Work& work) const {
+    parallel_for_cpu(
+        surface_->tree.device(), static_cast<std::int64_t>(queries.size()),
+        [&](std::int64_t i) { work(static_cast<std::size_t>(i)); }, 4096);
+  }
+
   SphereQuery sphere(const CellQuery& q, const Vec3d& direction) const {
     const bool around = options_.extreme == Extreme::smallest;
     const double lean = std::atan2(length(cross(q.direction, direction)), dot(q.direction, direction));

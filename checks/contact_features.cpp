@@ -26,16 +26,18 @@ constexpr std::size_t most_directions = 64;  // of a vertex that are worth compa
 
 class Features {
  public:
-  Features(FacetSurface& surface, const TriangleMesh& mesh, const std::vector<float>& sag, Side side)
+  Features(FacetSurface& surface, const TriangleMesh& mesh, std::span<const Vec3d> normals,
+           const std::vector<float>& sag, Side side)
       : surface_(surface),
         mesh_(mesh),
+        normals_(normals),
         sag_(sag),
         side_(side),
         id_(static_cast<std::uint32_t>(mesh.facet_count())) {}
 
   void look_at(FacetId f, const EdgeNeighbour& edge) {
     if (f > edge.facet || !edge.reversed) return;
-    const Vec3d n = facet_normal(mesh_, f), m = facet_normal(mesh_, edge.facet);
+    const Vec3d n = normals_[f], m = normals_[edge.facet];
     const Vec3d a = mesh_.corner(f, edge.edge), along = mesh_.corner(f, (edge.edge + 1) % 3) - a;
     // Seen along the edge the normals of a reflex edge turn towards each other.
     const double turn = dot(cross(n, m), along) * (side_ == Side::inside ? -1 : 1);
@@ -56,7 +58,7 @@ class Features {
       for (std::size_t i = 0; i < 3; ++i) {
         if (!is_end[mesh_.facets[f][i]]) continue;
         Star& star = stars.at(mesh_.facets[f][i]);
-        const Vec3d normal = facet_normal(mesh_, f);
+        const Vec3d normal = normals_[f];
         if (normal != Vec3d{}) star.normals.push_back(normal);
         for (const std::size_t k : {(i + 1) % 3, (i + 2) % 3}) {
           const Vec3d w = normalized(mesh_.vertices[mesh_.facets[f][k]] - mesh_.vertices[mesh_.facets[f][i]]);
@@ -105,8 +107,8 @@ class Features {
   void add(const Ridge& ridge) {
     const Vec3d along = normalized(ridge.b - ridge.a);
     const float s = std::max(sag_[ridge.one], sag_[ridge.other]);
-    const std::uint32_t number = fan({normalized(cross(facet_normal(mesh_, ridge.one), along)),
-                                      normalized(cross(along, facet_normal(mesh_, ridge.other)))});
+    const std::uint32_t number =
+        fan({normalized(cross(normals_[ridge.one], along)), normalized(cross(along, normals_[ridge.other]))});
     push({point(ridge.from, ridge.a), point(ridge.to, ridge.b), number}, s);
     for (const VertexId v : {ridge.from, ridge.to}) {
       if (v == no_vertex) continue;
@@ -134,6 +136,7 @@ class Features {
 
   FacetSurface& surface_;
   const TriangleMesh& mesh_;
+  std::span<const Vec3d> normals_;
   const std::vector<float>& sag_;
   Side side_;
   std::uint32_t id_;
@@ -143,9 +146,9 @@ class Features {
 
 }  // namespace
 
-void add_features(FacetSurface& surface, const TriangleMesh& mesh, const Adjacency& adjacency,
-                  const std::vector<float>& sag, Side side) {
-  Features features(surface, mesh, sag, side);
+void add_features(FacetSurface& surface, const TriangleMesh& mesh, std::span<const Vec3d> normals,
+                  const Adjacency& adjacency, const std::vector<float>& sag, Side side) {
+  Features features(surface, mesh, normals, sag, side);
   for (FacetId f = 0; f < mesh.facet_count(); ++f) {
     for (const EdgeNeighbour& edge : adjacency.of(f)) features.look_at(f, edge);
   }

@@ -95,20 +95,24 @@ class CellMeasurement {
   void settle(std::vector<Cell> cells) {
     std::vector<CellQuery> queries;
     std::vector<CellAnswer> answers;
+    std::vector<double> sides;
     while (!cells.empty()) {
       queries.resize(cells.size());
+      sides.resize(cells.size());
       answers.assign(cells.size(), {});
       parallel_for_cpu(
           surface_.tree.device(), static_cast<std::int64_t>(cells.size()),
           [&](std::int64_t i) {
-            queries[static_cast<std::size_t>(i)] = query(cells[static_cast<std::size_t>(i)]);
+            const auto k = static_cast<std::size_t>(i);
+            queries[k] = query(cells[k]);
+            sides[k] = longest_side(cells[k]).second;
           },
           4096);
       probe_(queries, answers);
       for (std::size_t i = 0; i < cells.size(); ++i) keep_value(cells[i].row, queries[i], answers[i]);
       std::vector<Cell> halves;
       for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (is_settled(cells[i], queries[i], answers[i]))
+        if (is_settled(cells[i], queries[i], sides[i], answers[i]))
           keep_bounds(cells[i].row, answers[i]);
         else
           cut(cells[i], halves);
@@ -144,7 +148,7 @@ class CellMeasurement {
     for (const auto& c : cell.corner) {
       const double cv = c[0], cw = c[1];
       spacing = std::max(spacing, length(blend(corners, cv, cw) - query.point));
-      turn = std::max(turn, angle_between(n, normalized(blend(normals, cv, cw))));
+      if (!plane) turn = std::max(turn, angle_between(n, normalized(blend(normals, cv, cw))));
     }
     query.direction = options_.side == Side::inside ? -n : n;
     query.across = options_.side == Side::inside ? -own : own;
@@ -177,8 +181,7 @@ class CellMeasurement {
     field_.contact[row] = answer.contact;
   }
 
-  bool is_settled(const Cell& cell, const CellQuery& query, const CellAnswer& answer) {
-    const double side = longest_side(cell).second;
+  bool is_settled(const Cell& cell, const CellQuery& query, double side, const CellAnswer& answer) {
     const bool finer = answer.absence != Absence::buried && decides(cell, answer);
     const double share = finer ? finer_at_the_limit : answer.clear ? coarser_where_clear : 1.0;
     const double step = options_.step * share;

@@ -27,15 +27,19 @@ double sagitta(double own, double other, double angle) {
   return own / 2 * std::tan(half / 2);
 }
 
-double bend(const Vec3d& m, const Vec3d& n) { return std::atan2(length(cross(m, n)), dot(m, n)); }
+// Of two unit normals; exactly zero where they are surely less than `flat` apart.
+double bend(const Vec3d& m, const Vec3d& n) {
+  const double across = length(cross(m, n)), along = dot(m, n);
+  return across < 0.5 * flat && along > 0.9 ? 0 : std::atan2(across, along);
+}
 
-float sag_of(const TriangleMesh& mesh, const Adjacency& adjacency, FacetId f, double crease,
-             double declared) {
-  const Vec3d normal = facet_normal(mesh, f);
+float sag_of(const TriangleMesh& mesh, std::span<const Vec3d> normals, const Adjacency& adjacency, FacetId f,
+             double crease, double declared) {
+  const Vec3d normal = normals[f];
   if (normal == Vec3d{}) return 0;
   std::array<double, 3> across{};
   for (const EdgeNeighbour& edge : adjacency.of(f)) {
-    const double angle = bend(normal, facet_normal(mesh, edge.facet));
+    const double angle = bend(normal, normals[edge.facet]);
     if (angle > crease || angle < flat) continue;
     const double other = width(mesh, edge.facet, edge.other);
     const double own = std::min(width(mesh, f, edge.edge), 2 * other);
@@ -46,29 +50,29 @@ float sag_of(const TriangleMesh& mesh, const Adjacency& adjacency, FacetId f, do
 }
 
 // A quad that is cut into two facets in one plane lies off the surface as a whole.
-float greatest_of_quad(const TriangleMesh& mesh, const Adjacency& adjacency, FacetId f,
+float greatest_of_quad(std::span<const Vec3d> normals, const Adjacency& adjacency, FacetId f,
                        const std::vector<float>& sag) {
   float greatest = sag[f];
   if (!(greatest > 0)) return greatest;
   for (const EdgeNeighbour& edge : adjacency.of(f)) {
-    if (bend(facet_normal(mesh, f), facet_normal(mesh, edge.facet)) < flat)
-      greatest = std::max(greatest, sag[edge.facet]);
+    if (bend(normals[f], normals[edge.facet]) < flat) greatest = std::max(greatest, sag[edge.facet]);
   }
   return greatest;
 }
 
 }  // namespace
 
-std::vector<float> local_sag(const TriangleMesh& mesh, const Adjacency& adjacency, double crease,
-                             double declared, const Device& device) {
+std::vector<float> local_sag(const TriangleMesh& mesh, std::span<const Vec3d> normals,
+                             const Adjacency& adjacency, double crease, double declared,
+                             const Device& device) {
   std::vector<float> sag(mesh.facet_count()), of_quad(sag.size());
   const auto for_each_facet = [&](const auto& work) {
     parallel_for_cpu(
         device, static_cast<std::int64_t>(sag.size()), [&](std::int64_t i) { work(static_cast<FacetId>(i)); },
         8192);
   };
-  for_each_facet([&](FacetId f) { sag[f] = sag_of(mesh, adjacency, f, crease, declared); });
-  for_each_facet([&](FacetId f) { of_quad[f] = greatest_of_quad(mesh, adjacency, f, sag); });
+  for_each_facet([&](FacetId f) { sag[f] = sag_of(mesh, normals, adjacency, f, crease, declared); });
+  for_each_facet([&](FacetId f) { of_quad[f] = greatest_of_quad(normals, adjacency, f, sag); });
   return of_quad;
 }
 

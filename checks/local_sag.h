@@ -1,6 +1,7 @@
 // How far the true surface may lie from each facet, told from how the mesh bends there.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "gpu/device.h"
@@ -14,7 +15,9 @@ namespace gabarit {
 // a facet is more than twice as wide as its neighbour the surface is taken to change there (a plane that a
 // fillet leaves), and twice the neighbour's width counts. Facets whose neighbours are all in their plane lie
 // on the surface: 0. Never more than `declared`. Holds on tessellated cylinders, spheres and tori.
-std::vector<float> local_sag(const TriangleMesh& mesh, const Adjacency& adjacency, double crease,
-                             double declared, const Device& device);
+// `normals`: those of the facets.
+std::vector<float> local_sag(const TriangleMesh& mesh, std::span<const Vec3d> normals,
+                             const Adjacency& adjacency, double crease, double declared,
+                             const Device& device);
 
 }  // namespace gabarit

@@ -30,8 +30,9 @@ Scene::Scene(const Model& model, Device device)
     : model_(&model), device_(device), shared_(std::make_shared<Shared>()) {}
 
 const Adjacency& Scene::adjacency() const {
-  std::call_once(shared_->adjacency_built,
-                 [this] { shared_->adjacency = std::make_unique<Adjacency>(mesh()); });
+  std::call_once(shared_->adjacency_built, [this] {
+    shared_->adjacency = std::make_unique<Adjacency>(mesh(), std::span<const FacetId>{}, 1e-3, device());
+  });
   return *shared_->adjacency;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "gpu/parallel_for.h"
 #include "model/edge_overlap.h"
 #include "model/edge_table.h"
 
@@ -32,7 +33,8 @@ EdgeNeighbour exact_neighbour(const TriangleMesh& mesh, HalfEdgeId asked, HalfEd
 
 }  // namespace
 
-Adjacency::Adjacency(const TriangleMesh& mesh, std::span<const FacetId> of, double tolerance) {
+Adjacency::Adjacency(const TriangleMesh& mesh, std::span<const FacetId> of, double tolerance,
+                     const Device& device) {
   row_.assign(mesh.facet_count(), 0);
   if (of.empty()) {
     for (FacetId f = 0; f < mesh.facet_count(); ++f) row_[f] = f + 1;
@@ -73,14 +75,16 @@ Adjacency::Adjacency(const TriangleMesh& mesh, std::span<const FacetId> of, doub
   neighbours_.resize(pairs.size());
   std::vector<std::uint64_t> next(first_.begin(), first_.end() - 1);
   for (const Pair& pair : pairs) neighbours_[next[row_[pair.edge / 3] - 1]++] = pair.neighbour;
-  for (std::size_t r = 0; r + 1 < first_.size(); ++r) {
-    std::sort(neighbours_.begin() + static_cast<std::ptrdiff_t>(first_[r]),
-              neighbours_.begin() + static_cast<std::ptrdiff_t>(first_[r + 1]),
+  const auto sort_row = [&](std::int64_t r) {
+    const auto row = static_cast<std::size_t>(r);
+    std::sort(neighbours_.begin() + static_cast<std::ptrdiff_t>(first_[row]),
+              neighbours_.begin() + static_cast<std::ptrdiff_t>(first_[row + 1]),
               [](const EdgeNeighbour& a, const EdgeNeighbour& b) {
                 return std::tie(a.edge, a.facet, a.other, a.from) <
                        std::tie(b.edge, b.facet, b.other, b.from);
               });
-  }
+  };
+  parallel_for_cpu(device, static_cast<std::int64_t>(rows), sort_row, 8192);
 }
 
 std::span<const EdgeNeighbour> Adjacency::of(FacetId facet) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "gpu/device.h"
 #include "model/triangle_mesh.h"
 
 namespace gabarit {
@@ -24,7 +25,8 @@ class Adjacency {
   // `tolerance` (mm) of one line and overlap by more than it are shared, whether or not they have vertices in
   // common. Degenerate and non-finite facets have no neighbours. The order is by edge, then by facet: it does
   // not depend on threads.
-  explicit Adjacency(const TriangleMesh& mesh, std::span<const FacetId> of = {}, double tolerance = 1e-3);
+  explicit Adjacency(const TriangleMesh& mesh, std::span<const FacetId> of = {}, double tolerance = 1e-3,
+                     const Device& device = Device::cpu(1));
 
   // Empty for facets that were not asked about.
   std::span<const EdgeNeighbour> of(FacetId facet) const;

@@ -7,20 +7,9 @@
 namespace gabarit {
 
 static VertexId start(const TriangleMesh& mesh, HalfEdgeId h) { return mesh.facets[h / 3][h % 3]; }
-static VertexId target(const TriangleMesh& mesh, HalfEdgeId h) {
-  return mesh.facets[h / 3][(h + 1) % 3 == 0 ? 0 : h % 3 + 1];
-}
 
 bool run_opposite(const TriangleMesh& mesh, HalfEdgeId a, HalfEdgeId b) {
   return start(mesh, a) != start(mesh, b);
-}
-
-std::pair<VertexId, VertexId> EdgeTable::ends(HalfEdgeId h) const {
-  return std::minmax({start(*mesh_, h), target(*mesh_, h)});
-}
-
-bool EdgeTable::same_edge(std::size_t i, std::size_t j) const {
-  return ends(half_edges_[i]) == ends(half_edges_[j]);
 }
 
 // A counting sort by the lower end leaves buckets of a few half-edges, which are then sorted in place.

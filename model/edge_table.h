@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/triangle_mesh.h"
@@ -30,8 +31,13 @@ class EdgeTable {
   }
 
  private:
-  bool same_edge(std::size_t i, std::size_t j) const;
-  std::pair<VertexId, VertexId> ends(HalfEdgeId h) const;  // lower number first
+  // Lower number first.
+  std::pair<VertexId, VertexId> ends(HalfEdgeId h) const {
+    const auto& corners = mesh_->facets[h / 3];
+    const VertexId from = corners[h % 3], to = corners[h % 3 == 2 ? 0 : h % 3 + 1];
+    return from < to ? std::pair(from, to) : std::pair(to, from);
+  }
+  bool same_edge(std::size_t i, std::size_t j) const { return ends(half_edges_[i]) == ends(half_edges_[j]); }
 
   const TriangleMesh* mesh_;
   std::vector<HalfEdgeId> half_edges_;  // sorted by lower end, higher end, number

@@ -11,7 +11,7 @@ namespace {
 // Facets with a normal by vertex.
 class Stars {
  public:
-  Stars(const TriangleMesh& mesh, const std::vector<Vec3d>& normals) : first_(mesh.vertices.size() + 1, 0) {
+  Stars(const TriangleMesh& mesh, std::span<const Vec3d> normals) : first_(mesh.vertices.size() + 1, 0) {
     for (FacetId f = 0; f < mesh.facet_count(); ++f) {
       if (normals[f] == Vec3d{}) continue;
       for (const VertexId v : mesh.facets[f]) ++first_[v + 1];
@@ -48,16 +48,14 @@ Vec3f to_float(const Vec3d& v) {
 
 }  // namespace
 
-std::vector<std::array<Vec3f, 3>> smooth_normals(const TriangleMesh& mesh, double crease,
-                                                 const Device& device) {
+std::vector<std::array<Vec3f, 3>> smooth_normals(const TriangleMesh& mesh, std::span<const Vec3d> normals,
+                                                 double crease, const Device& device) {
   const auto count = static_cast<std::int64_t>(mesh.facet_count());
-  std::vector<Vec3d> normals(mesh.facet_count());
   std::vector<std::array<double, 3>> weights(mesh.facet_count());
   parallel_for_cpu(
       device, count,
       [&](std::int64_t i) {
         const auto f = static_cast<FacetId>(i);
-        normals[f] = facet_normal(mesh, f);
         for (std::size_t k = 0; k < 3; ++k) weights[f][k] = weight(mesh, f, k);
       },
       8192);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/facet_normals.h"
 #include "tests/block_solid.h"
 #include "tests/checks/wall_fields.h"
 
@@ -20,7 +21,8 @@ using Ends = std::pair<VertexId, VertexId>;
 FacetSurface features_of(const TriangleMesh& mesh, Side side = Side::inside) {
   FacetSurface surface;
   surface.points = mesh.vertices;
-  add_features(surface, mesh, Adjacency(mesh), std::vector<float>(mesh.facet_count(), 0), side);
+  add_features(surface, mesh, facet_normals(mesh, Device::cpu(1)), Adjacency(mesh),
+               std::vector<float>(mesh.facet_count(), 0), side);
   return surface;
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/facet_normals.h"
 #include "tests/shapes.h"
 
 namespace gabarit {
@@ -17,7 +18,8 @@ constexpr double crease = 40 * std::numbers::pi / 180;
 
 std::vector<float> sag_of(const Triangles& shape, double declared = 10) {
   const TriangleMesh mesh = shapes::mesh(shape);
-  return local_sag(mesh, Adjacency(mesh), crease, declared, Device::cpu());
+  return local_sag(mesh, facet_normals(mesh, Device::cpu()), Adjacency(mesh), crease, declared,
+                   Device::cpu());
 }
 
 // How far the surface lies from places of a facet, `off` being the distance of a point from it.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/facet_normals.h"
 #include "tests/shapes.h"
 
 namespace gabarit {
@@ -18,13 +19,17 @@ const Device one = Device::cpu(1);
 Vec3d to_double(const Vec3f& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
+std::vector<std::array<Vec3f, 3>> normals_at_corners(const TriangleMesh& mesh, double least_crease,
+                                                     const Device& device) {
+  return smooth_normals(mesh, facet_normals(mesh, device), least_crease, device);
+}
 double angle(const Vec3d& a, const Vec3d& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 // The widest angle, in degrees, between the normals at the corners and the surface's own.
 template <class Truth>
 double widest(const Triangles& shape, const Truth& truth) {
   const TriangleMesh mesh = shapes::mesh(shape);
-  const auto normals = smooth_normals(mesh, crease, one);
+  const auto normals = normals_at_corners(mesh, crease, one);
   double most = 0;
   for (FacetId f = 0; f < mesh.facet_count(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -70,7 +75,7 @@ TEST(SmoothNormals, slivers_pull_them_aside_by_half_the_bend_at_most) {
                        q + up - (q - p) * (static_cast<double>(k + 1) / cuts)});
   }
   const TriangleMesh mesh = shapes::mesh(shape);
-  const auto normals = smooth_normals(mesh, crease, one);
+  const auto normals = normals_at_corners(mesh, crease, one);
   double most = 0;
   for (FacetId f = 0; f < mesh.facet_count(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -87,7 +92,8 @@ TEST(SmoothNormals, a_crease_wider_than_asked_for_stays_sharp_and_a_narrower_one
     return shapes::mesh({{Vec3d{-10, 0, 0}, Vec3d{0, 0, 0}, Vec3d{0, 10, 0}},
                          {Vec3d{0, 0, 0}, Vec3d{c, 0, -s}, Vec3d{0, 10, 0}}});
   };
-  const auto sharp = smooth_normals(bend(41), crease, one), round = smooth_normals(bend(39), crease, one);
+  const auto sharp = normals_at_corners(bend(41), crease, one),
+             round = normals_at_corners(bend(39), crease, one);
   EXPECT_NEAR(angle(to_double(sharp[0][1]), {0, 0, 1}) / degree, 0, 1e-3);
   EXPECT_GT(angle(to_double(round[0][1]), {0, 0, 1}) / degree, 10);
 }
@@ -95,7 +101,7 @@ TEST(SmoothNormals, a_crease_wider_than_asked_for_stays_sharp_and_a_narrower_one
 TEST(SmoothNormals, facets_without_a_normal_have_none_and_pull_nothing) {
   Triangles shape = shapes::box({0, 0, 0}, {5, 4, 3});
   shape.push_back({Vec3d{0, 0, 0}, Vec3d{5, 0, 0}, Vec3d{2.5, 0, 0}});
-  const auto normals = smooth_normals(shapes::mesh(shape), crease, one);
+  const auto normals = normals_at_corners(shapes::mesh(shape), crease, one);
   EXPECT_EQ(normals.back()[0], Vec3f{});
   for (std::size_t f = 0; f + 1 < shape.size(); ++f) EXPECT_NEAR(length(to_double(normals[f][0])), 1, 1e-6);
 }
@@ -103,9 +109,9 @@ TEST(SmoothNormals, facets_without_a_normal_have_none_and_pull_nothing) {
 TEST(SmoothNormals, turned_permuted_and_on_any_number_of_threads_they_stay_the_same) {
   const Triangles shape = shapes::torus(12, 4, 20, 14);
   const Vec3d axis = normalized(Vec3d{1, 2, 3});
-  const auto as_is = smooth_normals(shapes::mesh(shape), crease, one);
-  EXPECT_EQ(smooth_normals(shapes::mesh(shape), crease, Device::cpu(5)), as_is);
-  const auto turned = smooth_normals(shapes::mesh(shapes::rotated(shape, axis, 0.7)), crease, one);
+  const auto as_is = normals_at_corners(shapes::mesh(shape), crease, one);
+  EXPECT_EQ(normals_at_corners(shapes::mesh(shape), crease, Device::cpu(5)), as_is);
+  const auto turned = normals_at_corners(shapes::mesh(shapes::rotated(shape, axis, 0.7)), crease, one);
   for (std::size_t f = 0; f < shape.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3d n = to_double(as_is[f][k]);
@@ -116,7 +122,7 @@ TEST(SmoothNormals, turned_permuted_and_on_any_number_of_threads_they_stay_the_s
   }
   std::vector<std::uint32_t> order;
   const Triangles mixed = shapes::permuted(shape, 3, &order);
-  const auto normals = smooth_normals(shapes::mesh(mixed), crease, one);
+  const auto normals = normals_at_corners(shapes::mesh(mixed), crease, one);
   for (std::size_t f = 0; f < mixed.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t j = 0; j < 3; ++j)
