@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "checks/curvature_bound.h"
@@ -27,7 +28,8 @@ constexpr double far_off = 1.02;
 // varies, and 1/mm.
 constexpr double without_doubt = 3e-8, settled = 1e-3, nearly_flat = 2e-4;
 constexpr std::size_t most_boxes = 400, most_boxes_of_constant = 24;
-constexpr double beside_pole = 1e-3;  // of a facet
+constexpr std::size_t most_cells = 20'000;  // between knots: a facet over more has no bound
+constexpr double beside_pole = 1e-3;        // of a facet
 
 class Patch {
  public:
@@ -155,7 +157,9 @@ class Patch {
 
   // Of all boxes; on the way `best` becomes the sharpest of their middles.
   double bound(SharpestPoint& best) {
-    std::vector<Box> boxes = cells();
+    std::optional<std::vector<Box>> found = cells();
+    if (!found) return infinity;
+    std::vector<Box>& boxes = *found;
     for (std::size_t looked_at = boxes.size(); !boxes.empty(); looked_at += 2) {
       const Box widest = boxes.front();
       const bool in_doubt = widest.bound.varies <= hardly && looked_at < most_boxes_of_constant;
@@ -211,14 +215,15 @@ class Patch {
     return h;
   }
 
-  // The domain cut at the knots.
-  std::vector<Box> cells() const {
+  // The domain cut at the knots; nothing when that is too often.
+  std::optional<std::vector<Box>> cells() const {
     ParameterBox d = domain_.box;
     keep_off_pole(facet_.u_pole, &Parameters::v, d.v0, d.v1);
     keep_off_pole(facet_.v_pole, &Parameters::u, d.u0, d.u1);
     const std::vector<double> u = span_cuts(brep_, surface_, 0, d.u0, d.u1),
                               v = span_cuts(brep_, surface_, 1, d.v0, d.v1);
     std::vector<Box> boxes;
+    if (u.size() * v.size() > most_cells) return std::nullopt;
     for (std::size_t i = 0; i + 1 < u.size(); ++i) {
       for (std::size_t j = 0; j + 1 < v.size(); ++j) add({u[i], u[i + 1], v[j], v[j + 1]}, boxes);
     }

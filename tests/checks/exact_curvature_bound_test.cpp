@@ -110,13 +110,17 @@ TEST(CurvatureBound, it_does_not_depend_on_placement_scale_nor_on_the_order_of_p
   EXPECT_GE(bound_of(across, swapped, -1), by_force(across, swapped, -1));
 }
 
+Field radius_of_faces(const Model& model) {
+  Region region = whole_model(model.mesh);
+  region.edges.assign(model.mesh.facet_count(), {Selected::no, Selected::no, Selected::no});
+  return measure_exact_radius(Scene(model, Device::cpu()), region);
+}
+
 // x²/49 + y²/49 + z²/12.25 = 1: at the equator 1/7 around and 7/12.25 up and down.
 TEST_F(CurvatureBounds, an_ellipsoid_is_sharpest_at_its_equator) {
   Model model = spline_model(step_shapes::sphere(7));
   for (Pole& p : model.brep->poles) p.z *= 0.5;
-  Region region = whole_model(model.mesh);
-  region.edges.assign(model.mesh.facet_count(), {Selected::no, Selected::no, Selected::no});
-  const Field field = measure_exact_radius(Scene(model, Device::cpu()), region);
+  const Field field = radius_of_faces(model);
   const double truth = 12.25 / 7;
   EXPECT_NEAR(*std::min_element(field.value.begin(), field.value.end()), truth, 2e-6);
   const double lower = *std::min_element(field.lower.begin(), field.lower.end());
@@ -124,9 +128,8 @@ TEST_F(CurvatureBounds, an_ellipsoid_is_sharpest_at_its_equator) {
   EXPECT_GT(lower, 0.998 * truth);
 }
 
-// A facet over 300 spans of a line of which three bend a little: narrower than any grid of 16 places a side.
-TEST(CurvatureBound, a_ridge_between_all_samples_of_a_facet_is_not_passed) {
-  constexpr int spans = 300;
+// One facet over evenly spaced spans of a line of which four bend a little.
+Model ridged_sheet(int spans) {
   Model model;
   Brep brep;
   Curve c;
@@ -135,59 +138,63 @@ TEST(CurvatureBound, a_ridge_between_all_samples_of_a_facet_is_not_passed) {
   for (int k = -3; k <= spans + 3; ++k) brep.knots.push_back(std::clamp(k, 0, spans));
   // Evenly spaced poles but at the ends, where the knots are: the parameter runs evenly.
   for (int i = 0; i < c.pole_count; ++i) {
-    const double x =
-        (brep.knots[static_cast<std::size_t>(i + 1)] + brep.knots[static_cast<std::size_t>(i + 2)] +
-         brep.knots[static_cast<std::size_t>(i + 3)]) /
-        3;
+    const auto k = static_cast<std::size_t>(i);
+    const double x = (brep.knots[k + 1] + brep.knots[k + 2] + brep.knots[k + 3]) / 3;
     brep.poles.push_back({x, i == 143 ? 1.0 : 0.0, 0, 1});
   }
   brep.curves = {c};
   Surface s;
   s.kind = SurfaceKind::extrusion;
-  s.curve = 0, s.domain = {0, spans, -infinity, infinity};
+  s.curve = 0, s.domain = {0, c.last, -infinity, infinity};
   brep.surfaces = {s};
   Face face;
-  face.surface = 0, face.sign = -1, face.range = {0, spans, 0, 100};
+  face.surface = 0, face.sign = -1, face.range = {0, c.last, 0, 100};
   brep.faces = {face};
   brep.trims = {{.box = {}, .all = true}};
   FacetOrigin origin;
-  origin.face = 0, origin.corners = {Parameters{0, 0}, Parameters{spans, 0}, Parameters{0, 100}};
+  origin.face = 0, origin.corners = {Parameters{0, 0}, Parameters{c.last, 0}, Parameters{0, 100}};
   brep.facets = {origin};
-  const BrepView arrays = view(brep);
-  for (const Parameters& p : origin.corners) model.mesh.vertices.push_back(face_point(arrays, face, p).p);
+  for (const Parameters& p : origin.corners) model.mesh.vertices.push_back(face_point(view(brep), face, p).p);
   model.mesh.facets = {{0, 1, 2}}, model.mesh.body = {0}, model.bodies = {"sheet"};
+  model.brep = brep;
+  return model;
+}
+
+// Narrower than any grid of 16 places a side.
+TEST(CurvatureBound, a_ridge_between_all_samples_of_a_facet_is_not_passed) {
+  constexpr int spans = 300;
+  const Model model = ridged_sheet(spans);
   double of_samples = 0, truth = 0;
-  for (int i = 0; i <= 16; ++i) of_samples = std::max(of_samples, at(brep, spans * i / 16., 0, -1));
-  for (int i = 0; i <= 60000; ++i) truth = std::max(truth, at(brep, spans * i / 60000., 0, -1));
+  for (int i = 0; i <= 16; ++i) of_samples = std::max(of_samples, at(*model.brep, spans * i / 16., 0, -1));
+  for (int i = 0; i <= 60000; ++i) truth = std::max(truth, at(*model.brep, spans * i / 60000., 0, -1));
   EXPECT_LT(of_samples, 1e-9);
   EXPECT_GT(truth, 0.5);
-  model.brep = brep;
-  Region region = whole_model(model.mesh);
-  region.edges.assign(1, {Selected::no, Selected::no, Selected::no});
-  const Field field = measure_exact_radius(Scene(model, Device::cpu()), region);
+  const Field field = radius_of_faces(model);
   EXPECT_LE(field.lower[0], 1 / truth);
   EXPECT_NEAR(field.value[0], 1 / truth, 2e-3 / truth);
 }
 
+TEST(CurvatureBound, a_facet_over_more_spans_than_can_be_looked_at_has_no_bound) {
+  EXPECT_EQ(radius_of_faces(ridged_sheet(30'000)).lower[0], 0);
+}
+
+double greatest_of_balls(const Model& model) {
+  const std::vector<double> of = rolled_balls(*model.brep, Device::cpu());
+  return *std::max_element(of.begin(), of.end());
+}
+
 TEST_F(CurvatureBounds, spheres_cylinders_and_rings_are_known_behind_splines_and_nothing_else_is) {
-  const auto curvatures = [&](const TopoDS_Shape& shape) {
-    return rolled_balls(*spline_model(shape).brep, Device::cpu());
-  };
-  const auto most = [](const std::vector<double>& of) { return *std::max_element(of.begin(), of.end()); };
-  EXPECT_NEAR(most(curvatures(step_shapes::sphere(7))), 1 / 7., 1e-11);
-  EXPECT_NEAR(most(curvatures(step_shapes::torus(20, 5))), 1 / 5., 1e-11);
-  EXPECT_NEAR(most(curvatures(step_shapes::cylinder(3, 10))), 1 / 3., 1e-11);
-  EXPECT_NEAR(
-      most(curvatures(step_shapes::turned(step_shapes::moved(step_shapes::torus(20, 5), 100, -50, 7), 33))),
-      1 / 5., 1e-11);
-  EXPECT_EQ(most(curvatures(step_shapes::cone(10, 20))), 0);
-  EXPECT_EQ(most(curvatures(step_shapes::elliptic_cylinder(10, 9.999, 30))), 0);
-  Model dented = spline_model(step_shapes::sphere(7));
+  const Model ball = spline_model(step_shapes::sphere(7));
+  EXPECT_NEAR(greatest_of_balls(ball), 1 / 7., 1e-11);
+  EXPECT_NEAR(greatest_of_balls(spline_model(step_shapes::cylinder(3, 10))), 1 / 3., 1e-11);
+  const TopoDS_Shape ring = step_shapes::moved(step_shapes::torus(20, 5), 100, -50, 7);
+  EXPECT_NEAR(greatest_of_balls(spline_model(step_shapes::turned(ring, 33))), 1 / 5., 1e-11);
+  EXPECT_EQ(greatest_of_balls(spline_model(step_shapes::elliptic_cylinder(10, 9.999, 30))), 0);
+  Model dented = ball, hollow = ball;
   for (Pole& p : dented.brep->poles) p.z *= 1 + 1e-9;
-  EXPECT_EQ(most(rolled_balls(*dented.brep, Device::cpu())), 0);
-  Model hollow = spline_model(step_shapes::sphere(7));
+  EXPECT_EQ(greatest_of_balls(dented), 0);
   for (Face& f : hollow.brep->faces) f.sign = -f.sign;
-  EXPECT_EQ(most(rolled_balls(*hollow.brep, Device::cpu())), 0);
+  EXPECT_EQ(greatest_of_balls(hollow), 0);
 }
 
 }  // namespace
