@@ -83,7 +83,8 @@ class EdgeContact {
   }
 
   // The outward normal of the face at a point of its edge.
-  GABARIT_HD Vec3d normal_beside(const EdgePiece::Beside& side, const Vec3d& p, double t) const {
+  GABARIT_SEPARATE GABARIT_HD Vec3d normal_beside(const EdgePiece::Beside& side, const Vec3d& p,
+                                                  double t) const {
     const Face& face = view_.brep.faces[side.face];
     if (view_.brep.surfaces[face.surface].kind == SurfaceKind::plane) return side.mean;
     const double share = (t - first_) / (last_ - first_);
@@ -120,9 +121,9 @@ class EdgeContact {
 
   GABARIT_HD bool can_face(const EdgePiece::Beside& side) const {
     if (side.face == no_number) return false;
-    const double cosine = dot(side.mean, axis_);
-    const double angle = std::acos(cosine > 1 ? 1.0 : cosine < -1 ? -1.0 : cosine);
-    return angle <= side.spread || std::cos(angle - side.spread) >= least_facing_ - slack;
+    const double facing = dot(side.mean, axis_);
+    const double angle = arc_cosine(facing > 1 ? 1.0 : facing < -1 ? -1.0 : facing);
+    return angle <= side.spread || cosine(angle - side.spread) >= least_facing_ - slack;
   }
 
   GABARIT_HD Vec3d point(double t) const { return curve_point(view_.brep, curve_, t).p; }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "checks/exact_surface.h"
-#include "gpu/device.h"
 
 namespace gabarit {
 
@@ -26,6 +25,7 @@ struct ExactBallQuery {
   Vec3d point;               // on the surface
   Vec3d direction;           // unit, across it, towards the centre of the ball
   double own_curvature = 0;  // 1/mm, the greatest that the ball sees at the point
+  FaceId face = 0;           // that the point lies on
 };
 
 struct ExactBallOptions {
@@ -50,9 +50,10 @@ struct ExactBall {
   bool verified = false;  // nothing that the facets and their sag let come nearer was left unsettled
 };
 
-// Answers in the order of the queries; neighbouring queries should lie close together. The same on any number
-// of threads.
-void exact_balls(const Device& device, const ExactSurface& surface, const ExactBallOptions& options,
+// Answers in the order of the queries, computed where the surface is; neighbouring queries should lie close
+// together. The same bits on every device and any number of threads. Throws DeviceError, and
+// OutOfDeviceMemory when not even few queries fit.
+void exact_balls(const ExactSurface& surface, const ExactBallOptions& options,
                  std::span<const ExactBallQuery> queries, std::span<ExactBall> balls);
 
 }  // namespace gabarit

@@ -22,10 +22,10 @@ class ExactBallSearch {
         pencil_{query.point, query.direction},
         axis_(query.direction * view.side),
         least_facing_(-options.cos_separation),
-        angle_(std::acos(least_facing_ < -1 ? -1.0 : least_facing_)),
+        angle_(arc_cosine(least_facing_ < -1 ? -1.0 : least_facing_)),
         culling_(view.tree, loosened(options, angle_ + view.normal_error), query.point, query.direction) {
     const double loose = angle_ + view.normal_error + 1e-6;
-    loose_facing_ = loose < pi ? std::cos(loose) : -1;
+    loose_facing_ = loose < pi ? cosine(loose) : -1;
     set_reach(options.greatest_radius);
     if (least_facing_ <= -1 + 1e-12 && query.own_curvature > 0) curve_in(query);
   }
@@ -71,8 +71,7 @@ class ExactBallSearch {
 
   // `angle`: by which the normals of facets may turn away from the direction.
   GABARIT_HD static SphereOptions loosened(const ExactBallOptions& options, double angle) {
-    return {angle + 1e-6 < pi ? -std::cos(angle + 1e-6) : 1.0, options.greatest_radius,
-            options.contact_floor};
+    return {angle + 1e-6 < pi ? -cosine(angle + 1e-6) : 1.0, options.greatest_radius, options.contact_floor};
   }
 
   GABARIT_HD void curve_in(const ExactBallQuery& query) {
@@ -142,7 +141,7 @@ class ExactBallSearch {
       if (n == Vec3d{}) return true;
       facing = dot(n, axis_);
     }
-    return facing >= least_facing_ || facing >= std::cos(angle_ + turn);
+    return facing >= least_facing_ || facing >= cosine(angle_ + turn);
   }
 
   // What there is no more to find on a face.
@@ -160,7 +159,7 @@ class ExactBallSearch {
   }
 
   // All feet, the rim and the tip of a face of a simple kind at once.
-  GABARIT_HD Known solve(FaceId id) {
+  GABARIT_SEPARATE GABARIT_HD Known solve(FaceId id) {
     const Known known = closed_part(id);
     if (known == Known::nothing) return known;
     ++best_.starts;
@@ -207,7 +206,7 @@ class ExactBallSearch {
   GABARIT_HD static double dot(const Vec3d& a, const Vec3d& b) { return gabarit::dot(a, b); }
 
   // Whether the way to the foot led from what counts to what does not.
-  GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
+  GABARIT_SEPARATE GABARIT_HD bool try_face(FaceId face, Parameters from, double bound) {
     if (best_.starts >= most_starts) return leave_unexplained(bound), false;
     FaceDescent descent(view_.brep, face, pencil_, reach_, known_feet_);
     const FaceFoot foot = descent.run(from);
@@ -229,7 +228,7 @@ class ExactBallSearch {
   }
 
   // The nearest contact that counts may lie where the normal turns away just far enough: on such facets only.
-  GABARIT_HD void try_rim(FaceId face, Parameters from, double bound) {
+  GABARIT_SEPARATE GABARIT_HD void try_rim(FaceId face, Parameters from, double bound) {
     const RimDescent descent(view_.brep, face, pencil_, axis_, least_facing_, reach_, known_rims_);
     const RimFoot rim = descent.run(from);
     best_.steps += rim.iterations;
@@ -242,7 +241,7 @@ class ExactBallSearch {
   GABARIT_HD bool on_rim(const Primitive& p) const {
     if (!p.is_facet()) return true;
     const double turn = static_cast<double>(view_.facet_turns[p.id]) + 1e-6;
-    return angle_ > turn && dot(p.normal, pencil_.direction) < std::cos(angle_ - turn);
+    return angle_ > turn && dot(p.normal, pencil_.direction) < cosine(angle_ - turn);
   }
 
   // The tip of a face counts when its normal does anywhere beside it.
@@ -257,7 +256,7 @@ class ExactBallSearch {
       keep_face(face, tip, BallContact::vertex);
   }
 
-  GABARIT_HD void keep_face(FaceId face, const FaceFoot& foot, BallContact kind) {
+  GABARIT_SEPARATE GABARIT_HD void keep_face(FaceId face, const FaceFoot& foot, BallContact kind) {
     if (!(foot.radius < reach_) || !far_enough(foot.surface.p, foot.radius)) return;
     if (trim_side(view_.brep, face, foot.at) == TrimSide::outside) return;
     ExactBall contact;
@@ -287,7 +286,7 @@ class ExactBallSearch {
   }
 
   // `shallow`: it is not reflex for a ball.
-  GABARIT_HD void try_piece(std::uint32_t number, double from, bool shallow) {
+  GABARIT_SEPARATE GABARIT_HD void try_piece(std::uint32_t number, double from, bool shallow) {
     const EdgeContact contact(view_, pencil_, least_facing_, number);
     if (!contact.can_face() && (shallow || !contact.can_be_hollow())) return;
     const CurveFoot foot = contact.nearest(from);

@@ -54,21 +54,22 @@ ExactWalls::ExactWalls(const Scene& scene, const ContactSurface& surface, const 
 
 std::vector<ExactWall> ExactWalls::measure(std::span<const FacetPlace> places) const {
   std::vector<ExactWall> walls(places.size());
-  const ExactView view = exact_->view();
+  const Brep& brep = *scene_->model().brep;
+  const BrepView faces = view(brep);
+  const double side = options_.side == Side::inside ? 1 : -1;
   std::vector<ExactBallQuery> queries;
   std::vector<std::size_t> number;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const FacetOrigin& origin = view.facets[places[i].facet];
-    const SurfacePlace there = surface_place(view.brep, origin, places[i].weights);
+    const FacetOrigin& origin = brep.facets[places[i].facet];
+    const SurfacePlace there = surface_place(faces, origin, places[i].weights);
     walls[i].at = there.point.p, walls[i].measured = there.present;
     if (!there.present) continue;
-    const PrincipalCurvatures k = principal_curvatures(there.point, view.brep.faces[origin.face].sign);
-    queries.push_back(
-        {there.point.p, there.normal * -view.side, options_.side == Side::inside ? k.greatest : -k.least});
+    const PrincipalCurvatures k = principal_curvatures(there.point, brep.faces[origin.face].sign);
+    queries.push_back({there.point.p, there.normal * -side, side > 0 ? k.greatest : -k.least, origin.face});
     number.push_back(i);
   }
   std::vector<ExactBall> balls(queries.size());
-  exact_balls(scene_->device(), *exact_, ball_options_, queries, balls);
+  exact_balls(*exact_, ball_options_, queries, balls);
   for (std::size_t i = 0; i < balls.size(); ++i) {
     ExactWall& wall = walls[number[i]];
     const ExactBall& ball = wall.ball = balls[i];

@@ -6,10 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "checks/exact_model.h"
 #include "gpu/bvh.h"
-#include "gpu/device.h"
-#include "model/brep_view.h"
-#include "model/triangle_mesh.h"
 
 namespace gabarit {
 
@@ -25,12 +23,8 @@ struct ExactRayOptions {
   double greatest = std::numeric_limits<double>::infinity();  // mm: farther hits are not looked for
 };
 
-// What queries need, on a CPU: `facets` is the tree of the tessellation with facets as primitives.
-struct ExactRayScene {
-  BrepView brep;
-  BvhView facets;
-  View<const FacetOrigin> origins;
-  View<const double> reach;  // by face, mm: twice the greatest tolerance of its edges and vertices
+struct ExactRayView : ExactModelView {
+  BvhView tree;  // of the facets; the ids of other primitives are greater
 };
 
 struct ExactRay {
@@ -44,12 +38,10 @@ struct ExactRay {
   bool verified = false;  // every facet that it crosses before its end was explained by a face that it meets
 };
 
-// Answers in the order of the queries; neighbouring queries should lie close together. The same on any number
-// of threads.
-void exact_rays(const Device& device, const ExactRayScene& scene, const ExactRayOptions& options,
+// Answers in the order of the queries, computed on the device where both the tree of the model's facets and
+// its exact faces are; neighbouring queries should lie close together. The same bits on every device and any
+// number of threads. Throws DeviceError and OutOfDeviceMemory.
+void exact_rays(const Bvh& tree, const ExactModel& exact, const ExactRayOptions& options,
                 std::span<const ExactRayQuery> queries, std::span<ExactRay> rays);
-
-// See ExactRayScene::reach.
-std::vector<double> face_reaches(const Brep& brep);
 
 }  // namespace gabarit

@@ -58,42 +58,37 @@ bool meet_sharply(const Brep& brep, FaceId a, FaceId b, double sign) {
 }  // namespace
 
 ExactRayWalls::ExactRayWalls(const Scene& scene, const ContactSurface& surface, const RayOptions& options)
-    : scene_(&scene),
-      surface_(&surface),
-      reaches_(face_reaches(*scene.model().brep)),
-      rays_{.brep = view(*scene.model().brep),
-            .facets = surface.tree.view(),
-            .origins = view(std::span<const FacetOrigin>(scene.model().brep->facets)),
-            .reach = view(std::span<const double>(reaches_))},
-      options_(options) {}
+    : scene_(&scene), surface_(&surface), options_(options) {}
 
 std::vector<ExactWall> ExactRayWalls::measure(std::span<const FacetPlace> places) const {
+  const Brep& brep = *scene_->model().brep;
+  const BrepView faces = view(brep);
   const double sign = options_.side == Side::inside ? 1 : -1;
   const auto each = static_cast<std::size_t>(ray_count(options_));
   std::vector<ExactWall> walls(places.size());
   std::vector<ExactRayQuery> queries;
   std::vector<std::size_t> number;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const SurfacePlace there = surface_place(rays_.brep, rays_.origins[places[i].facet], places[i].weights);
+    const FacetOrigin& origin = brep.facets[places[i].facet];
+    const SurfacePlace there = surface_place(faces, origin, places[i].weights);
     walls[i].at = there.point.p, walls[i].measured = there.present;
     if (!there.present) continue;
     const Vec3d axis = there.normal * -sign;
     const Vec3d across = each > 1 ? sideways(scene_->mesh(), places[i].facet, axis) : Vec3d{};
     for (std::size_t k = 0; k < each; ++k)
-      queries.push_back({there.point.p, ray_direction(options_, axis, across, static_cast<int>(k)),
-                         rays_.origins[places[i].facet].face});
+      queries.push_back(
+          {there.point.p, ray_direction(options_, axis, across, static_cast<int>(k)), origin.face});
     number.push_back(i);
   }
   std::vector<ExactRay> rays(queries.size());
   exact_rays(
-      scene_->device(), rays_,
+      surface_->tree, scene_->exact_model(),
       {.sign = sign, .floor = ray_floor_share * surface_->size, .slack = 2 * scene_->model().sag.value_or(0)},
       queries, rays);
   for (std::size_t i = 0; i < number.size(); ++i)
     settle(std::span(rays).subspan(i * each, each), options_.mean, walls[number[i]]);
   for (const std::size_t i : number)
-    walls[i].at_edge =
-        meet_sharply(*scene_->model().brep, rays_.origins[places[i].facet].face, walls[i].ball.face, sign);
+    walls[i].at_edge = meet_sharply(brep, brep.facets[places[i].facet].face, walls[i].ball.face, sign);
   return walls;
 }
 

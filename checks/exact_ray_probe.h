@@ -9,7 +9,7 @@ namespace gabarit {
 
 class ExactRayWalls {
  public:
-  // `surface` lies in the memory of a CPU. All of them must outlive this.
+  // All of them must outlive this.
   ExactRayWalls(const Scene& scene, const ContactSurface& surface, const RayOptions& options);
 
   // A wall is as thick as its ray is long, or its cone of rays says; ExactWall::ball holds where the ray ends
@@ -20,8 +20,6 @@ class ExactRayWalls {
  private:
   const Scene* scene_;
   const ContactSurface* surface_;
-  std::vector<double> reaches_;
-  ExactRayScene rays_;
   RayOptions options_;
 };
 

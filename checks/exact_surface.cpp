@@ -15,10 +15,6 @@ constexpr double margin = 1.25;        // of a greatest distance over that of th
 constexpr double widest_error = 0.35;  // radians: facets whose normals are worse off have none in the tree
 constexpr std::int64_t grain = 256;
 
-template <class T>
-View<const T> elements(const std::vector<T>& of) {
-  return {of.data(), static_cast<std::int64_t>(of.size())};
-}
 Vec3f to_float(const Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -76,7 +72,9 @@ Primitive without_normal(const TriangleMesh& mesh, FacetId f, float sag) {
 
 }  // namespace
 
-ExactSurface exact_surface(const Model& model, Side side, const Device& device) {
+ExactSurface exact_surface(const ExactModel& exact, Side side) {
+  const Model& model = exact.model();
+  const Device& device = exact.device();
   const TriangleMesh& mesh = model.mesh;
   EdgePieces pieces = edge_pieces(model);
   EdgeCorners corners = edge_corners(model, pieces);
@@ -105,41 +103,32 @@ ExactSurface exact_surface(const Model& model, Side side, const Device& device) 
     surface.primitives.push_back({{corners.vertices[i], corners.vertices[i], first_corner + i}, id, {}, 0});
   // Nothing is said about the directions in which the surface leaves them: empty fans.
   surface.fan_first.assign(first_corner + corners.corners.size() + 1, 0);
+  const auto greatest = std::max_element(errors.turn.begin(), errors.turn.end());
+  const double greatest_turn = errors.turn.empty() ? 0 : *greatest;
   return {Bvh(device, std::move(surface)),
-          std::move(pieces.pieces),
-          std::move(corners.corners),
-          std::move(corners.directions),
-          std::move(errors.sag),
-          std::move(errors.turn),
+          {device, std::move(pieces.pieces)},
+          {device, std::move(corners.corners)},
+          {device, std::move(corners.directions)},
+          {device, std::move(errors.sag)},
+          {device, std::move(errors.turn)},
           error,
+          greatest_turn,
           length(bounding_box(mesh).extent()),
           side,
-          &model};
+          &exact};
 }
 
 ExactView ExactSurface::view() const {
-  return {gabarit::view(*model->brep),
-          tree.view(),
-          elements(model->brep->facets),
-          elements(model->mesh.facets),
-          elements(model->mesh.vertices),
-          elements(facet_sags),
-          elements(facet_turns),
-          elements(pieces),
-          elements(corners),
-          elements(directions),
-          side == Side::inside ? 1.0 : -1.0,
-          normal_error,
-          size};
-}
-
-double ExactSurface::greatest_turn() const {
-  return facet_turns.empty() ? 0 : *std::max_element(facet_turns.begin(), facet_turns.end());
+  return {exact->view(),     tree.view(),
+          facet_sags.view(), facet_turns.view(),
+          pieces.view(),     corners.view(),
+          directions.view(), side == Side::inside ? 1.0 : -1.0,
+          normal_error,      size};
 }
 
 std::size_t ExactSurface::bytes() const {
-  return tree.bytes() + pieces.size() * sizeof(EdgePiece) + corners.size() * sizeof(EdgeCorner) +
-         directions.size() * sizeof(Vec3d) + (facet_sags.size() + facet_turns.size()) * sizeof(float);
+  return tree.bytes() + pieces.bytes() + corners.bytes() + directions.bytes() + facet_sags.bytes() +
+         facet_turns.bytes();
 }
 
 }  // namespace gabarit

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "checks/contact_surface.h"
+#include "checks/exact_model.h"
 #include "gpu/bvh.h"
-#include "model/brep_view.h"
-#include "model/model.h"
 
 namespace gabarit {
 
@@ -38,13 +37,9 @@ struct EdgeCorner {
   std::uint32_t first_direction = 0, direction_count = 0;  // in which the surface leaves it
 };
 
-struct ExactView {
-  BrepView brep;
+struct ExactView : ExactModelView {
   BvhView tree;  // a primitive's id below facets.size is a facet; of a piece corner[2] is its number, of a
                  // corner too, counted on
-  View<const FacetOrigin> facets;
-  View<const std::array<VertexId, 3>> facet_corners;
-  View<const Vec3d> vertices;
   View<const float> facet_sags;   // mm: how far the surface lies from a facet
   View<const float> facet_turns;  // radians: how far the surface's normals turn away from a facet's
   View<const EdgePiece> pieces;
@@ -57,22 +52,22 @@ struct ExactView {
 
 struct ExactSurface {
   Bvh tree;
-  std::vector<EdgePiece> pieces;
-  std::vector<EdgeCorner> corners;
-  std::vector<Vec3d> directions;
-  std::vector<float> facet_sags, facet_turns;
-  double normal_error = 0;  // radians: how far a facet's normal in the tree may be off the surface's
+  Buffer<EdgePiece> pieces;
+  Buffer<EdgeCorner> corners;
+  Buffer<Vec3d> directions;
+  Buffer<float> facet_sags, facet_turns;
+  double normal_error = 0;   // radians: how far a facet's normal in the tree may be off the surface's
+  double greatest_turn = 0;  // radians: by which normals of surfaces turn away from those of their facets
   double size = 0;
   Side side = Side::inside;
-  const Model* model = nullptr;
+  const ExactModel* exact = nullptr;
 
-  ExactView view() const;
-  // Radians: by which normals of surfaces turn away from those of their facets at most.
-  double greatest_turn() const;
+  ExactView view() const;  // of the device's memory
   std::size_t bytes() const;
 };
 
-// Of a model with a Brep. Facets lie as far from the surface as ten samples of each say, and a quarter more.
-ExactSurface exact_surface(const Model& model, Side side, const Device& device);
+// Where `exact` is, which must outlive it. Facets lie as far from the surface as ten samples of each say, and
+// a quarter more.
+ExactSurface exact_surface(const ExactModel& exact, Side side);
 
 }  // namespace gabarit

@@ -11,19 +11,10 @@ struct Scene::Shared {
   std::once_flag adjacency_built;
   std::unique_ptr<Adjacency> adjacency;
   std::mutex surfaces_guard;
-  std::map<SurfaceOptions, ContactSurface> surfaces, surfaces_here;  // references stay good while they grow
-  std::map<Side, ExactSurface> exact_surfaces;                       // likewise
-
-  const ContactSurface& built(std::map<SurfaceOptions, ContactSurface>& known, const SurfaceOptions& options,
-                              const Scene& scene, const Device& device) {
-    const Adjacency& neighbours = scene.adjacency();
-    const std::lock_guard lock(surfaces_guard);
-    auto place = known.find(options);
-    if (place == known.end()) {
-      place = known.emplace(options, contact_surface(scene.mesh(), neighbours, options, device)).first;
-    }
-    return place->second;
-  }
+  std::map<SurfaceOptions, ContactSurface> surfaces;  // references stay good while it grows
+  std::once_flag exact_model_built;
+  std::unique_ptr<ExactModel> exact_model;
+  std::map<Side, ExactSurface> exact_surfaces;  // likewise
 };
 
 Scene::Scene(const Model& model, Device device)
@@ -36,23 +27,28 @@ const Adjacency& Scene::adjacency() const {
   return *shared_->adjacency;
 }
 
-// Of the CPU: it alone follows exact surfaces.
+const ExactModel& Scene::exact_model() const {
+  std::call_once(shared_->exact_model_built,
+                 [this] { shared_->exact_model = std::make_unique<ExactModel>(*model_, device_); });
+  return *shared_->exact_model;
+}
+
 const ExactSurface& Scene::exact_surface(Side side) const {
+  const ExactModel& exact = exact_model();
   const std::lock_guard lock(shared_->surfaces_guard);
   auto place = shared_->exact_surfaces.find(side);
   if (place == shared_->exact_surfaces.end())
-    place =
-        shared_->exact_surfaces.emplace(side, gabarit::exact_surface(*model_, side, device_.host())).first;
+    place = shared_->exact_surfaces.emplace(side, gabarit::exact_surface(exact, side)).first;
   return place->second;
 }
 
 const ContactSurface& Scene::surface(const SurfaceOptions& options) const {
-  return shared_->built(shared_->surfaces, options, *this, device_);
-}
-
-const ContactSurface& Scene::surface_here(const SurfaceOptions& options) const {
-  if (!device_.has_own_memory()) return surface(options);
-  return shared_->built(shared_->surfaces_here, options, *this, device_.host());
+  const Adjacency& neighbours = adjacency();
+  const std::lock_guard lock(shared_->surfaces_guard);
+  auto place = shared_->surfaces.find(options);
+  if (place == shared_->surfaces.end())
+    place = shared_->surfaces.emplace(options, contact_surface(mesh(), neighbours, options, device_)).first;
+  return place->second;
 }
 
 }  // namespace gabarit

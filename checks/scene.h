@@ -13,6 +13,7 @@
 
 namespace gabarit {
 
+class ExactModel;
 struct ExactSurface;
 
 class Scene {
@@ -26,9 +27,9 @@ class Scene {
   const Adjacency& adjacency() const;
   // The tree that balls and rays are sent through, by its options; built at the first call, safe likewise.
   const ContactSurface& surface(const SurfaceOptions& options) const;
-  // The same in the memory of the CPU, wherever the device keeps its own.
-  const ContactSurface& surface_here(const SurfaceOptions& options) const;
-  // The exact surfaces from one side, of a model that has them; built at the first call, safe likewise.
+  // The exact faces of a model that has them, and what balls and rays meet from one side of them; built at
+  // the first call, safe likewise.
+  const ExactModel& exact_model() const;
   const ExactSurface& exact_surface(Side side) const;
 
  private:

@@ -150,7 +150,7 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
   check_used(arguments);
   const bool exact = is_exact(scene, arguments);
   const SurfaceOptions wanted{.side = side, .crease = arguments.number("crease"), .sag = setup.sag};
-  const ContactSurface& surface = exact ? scene.surface_here(wanted) : scene.surface(wanted);
+  const ContactSurface& surface = scene.surface(wanted);
   CellOptions options{.side = side,
                       .smooth = arguments.text("normals") == "smooth",
                       .step = setup.resolution > 0 ? setup.resolution : surface.size / 200,
@@ -166,7 +166,7 @@ Field measure_walls(Side side, const Scene& scene, const Setup& setup, const Reg
     probe = walls->probe(std::move(probe), setup.extreme);
     if (walls->balls && options.limit > 0 && setup.extreme == Extreme::smallest)
       probe = with_clear_cells(std::move(probe), surface, ball_options(side, setup.extreme, arguments),
-                               {options.limit, options.step, scene.exact_surface(side).greatest_turn()});
+                               {options.limit, options.step, scene.exact_surface(side).greatest_turn});
     options.limit = 0;  // what lies near it is looked for on the surfaces themselves
   }
   Field field = measure_cells(scene.mesh(), region, surface, options,

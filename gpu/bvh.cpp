@@ -5,6 +5,7 @@
 
 #include "gpu/bvh_build.h"
 #include "gpu/bvh_there.h"
+#include "gpu/contact_cap.h"
 #include "gpu/parallel_for.h"
 
 namespace gabarit {
@@ -65,9 +66,11 @@ Bvh::Bvh(const Device& device, FacetSurface surface) : device_(device) {
   if (!box.empty()) origin_ = box.centre();
   reach_ = round_up(length(box.extent()) * 0.5);
   for (const Primitive& p : surface.primitives) greatest_sag_ = std::max(greatest_sag_, p.sag);
+  const std::vector<ContactCap> caps = contact_caps(device, surface);
   fan_first_ = {device, std::move(surface.fan_first)};
   fan_directions_ = {device, std::move(surface.fan_directions)};
-  if (!device.has_own_memory() || !take(build_there(device, surface, origin_))) build_here(surface);
+  if (!device.has_own_memory() || !take(build_there(device, surface, caps, origin_)))
+    build_here(surface, caps);
 }
 
 bool Bvh::take(std::optional<TreeThere> tree) {
@@ -79,13 +82,13 @@ bool Bvh::take(std::optional<TreeThere> tree) {
   return true;
 }
 
-void Bvh::build_here(FacetSurface& surface) {
+void Bvh::build_here(FacetSurface& surface, const std::vector<ContactCap>& caps) {
   std::vector<BoxedPrimitive> boxes = boxed(device_, surface, origin_);
   SplitTree tree = split_into_nodes(device_, boxes);
   reorder(surface, boxes);
   boxes = {};
   renumber_points(surface);
-  add_cones(device_, surface, origin_, tree);
+  add_cones(device_, surface, caps, origin_, tree);
   nodes_ = {device_, std::move(tree.nodes)};
   leaves_ = {device_, std::move(tree.leaves)};
   primitives_ = {device_, std::move(surface.primitives)};

@@ -45,7 +45,8 @@ struct alignas(32) BvhNode {
   float hi[3][tree_width];
   float axis[3][tree_width];        // mean normal of the facets below, unit or zero
   float offset[tree_width];         // axis · p >= offset for every point p below
-  float cone[tree_width];           // cosine of the widest angle between axis and a normal below; -1: any
+  float cone[tree_width];           // cosine of the widest angle between axis and the normal of a facet or
+                                    // of a contact on an edge or vertex below; -1: any
   std::uint32_t child[tree_width];  // a node, or leaf_flag | leaf
 
   GABARIT_HD float low(int k, int i) const { return lo[k][i]; }
@@ -68,6 +69,7 @@ struct BvhView {
   }
 };
 
+struct ContactCap;
 struct TreeThere;
 
 class Bvh {
@@ -84,7 +86,7 @@ class Bvh {
 
  private:
   bool take(std::optional<TreeThere> tree);
-  void build_here(FacetSurface& surface);
+  void build_here(FacetSurface& surface, const std::vector<ContactCap>& caps);
 
   Device device_;
   Buffer<BvhNode> nodes_;

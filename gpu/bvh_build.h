@@ -23,6 +23,8 @@ GABARIT_HD inline BvhNode empty_node() {
   return node;
 }
 
+struct ContactCap;
+
 // A primitive's box relative to the origin of the tree, rounded outwards.
 struct BoxedPrimitive {
   Box3f box;
@@ -47,7 +49,8 @@ BvhLeaf packed(std::span<const BoxedPrimitive> boxes, std::uint32_t first);
 SplitTree split_into_nodes(const Device& device, std::vector<BoxedPrimitive>& boxes);
 
 // Fills axis, offset and cone of every child. `surface.primitives` must be in the order of the tree.
-void add_cones(const Device& device, const FacetSurface& surface, const Vec3d& origin, SplitTree& tree);
+void add_cones(const Device& device, const FacetSurface& surface, const std::vector<ContactCap>& caps,
+               const Vec3d& origin, SplitTree& tree);
 
 GABARIT_HD inline float next_below(float x) {
   if (x == 0) return -std::numeric_limits<float>::denorm_min();

@@ -115,7 +115,8 @@ std::optional<WideTree> split(const Device& device, const Buffer<Primitive>& giv
 
 }  // namespace
 
-std::optional<TreeThere> build_there(const Device& device, const FacetSurface& surface, const Vec3d& origin) {
+std::optional<TreeThere> build_there(const Device& device, const FacetSurface& surface,
+                                     const std::vector<ContactCap>& caps, const Vec3d& origin) {
   if (surface.primitives.empty()) return TreeThere{};
   const Buffer<Primitive> given(device, surface.primitives);
   const Buffer<Vec3d> points(device, surface.points);
@@ -126,7 +127,9 @@ std::optional<TreeThere> build_there(const Device& device, const FacetSurface& s
   tree.primitives = Buffer<Primitive>::of_size(device, given.size());
   parallel_for(device, given.size(),
                Reorder{std::as_const(order).view(), given.view(), tree.primitives.view()});
-  add_cones_there(device, std::as_const(tree.primitives).view(), points.view(), origin, *wide);
+  const Buffer<ContactCap> caps_of_fans(device, caps);
+  add_cones_there(device, std::as_const(tree.primitives).view(), caps_of_fans.view(), points.view(), origin,
+                  *wide);
   renumber_points(device, points, tree);
   tree.nodes = std::move(wide->nodes);
   tree.leaves = std::move(wide->leaves);

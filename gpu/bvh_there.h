@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "gpu/bvh.h"
+#include "gpu/contact_cap.h"
 
 namespace gabarit {
 
@@ -17,6 +17,7 @@ struct TreeThere {
 // The tree that the CPU builds, but for the numbers of its nodes and leaves; so queries give the same bits.
 // Kernels of any device: the CPU itself runs them for tests. Nothing when some facets can only be halved by
 // count, as where dozens have the same middle: such surfaces are for the CPU. `origin`: of the tree.
-std::optional<TreeThere> build_there(const Device& device, const FacetSurface& surface, const Vec3d& origin);
+std::optional<TreeThere> build_there(const Device& device, const FacetSurface& surface,
+                                     const std::vector<ContactCap>& caps, const Vec3d& origin);
 
 }  // namespace gabarit

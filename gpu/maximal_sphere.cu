@@ -25,7 +25,7 @@ struct SphereRuns {
   template <VectorSet set>
   GABARIT_HD double lower_bound(const SphereQuery& query, double known, const Primitive* contact) const {
     SphereLowerBound bound(tree, options, query, known);
-    if (contact != nullptr) bound.visit(*contact);
+    if (contact != nullptr) bound.start_from(*contact);
     traverse<set>(tree, bound);
     return bound.result();
   }

@@ -1,6 +1,7 @@
 // The query behind maximal_spheres: the smallest ball that a contact leaves, by one best-first search.
 #pragma once
 
+#include "gpu/contact_cap.h"
 #include "gpu/maximal_sphere.h"
 #include "gpu/sphere_culling.h"
 #include "gpu/tangent_ball.h"
@@ -14,7 +15,7 @@ GABARIT_HD inline bool leaves(const BvhView& tree, std::uint32_t fan, const Vec3
     const Vec3f w = tree.fan_directions[i];
     if (static_cast<double>(w.x) * outward.x + static_cast<double>(w.y) * outward.y +
             static_cast<double>(w.z) * outward.z <
-        -1e-5)
+        -fan_tolerance)
       return false;
   }
   return true;
@@ -84,9 +85,9 @@ class MaximalSphere {
 
   GABARIT_HD void visit_facet(const Primitive& p) {
     const Vec3d d = query_.direction;
+    if (dot(p.normal, d) < -options_.cos_separation - 1e-6) return;
     const Vec3d a = tree_.corner(p, 0) - query_.point;
-    const FacetGlance glance(p, d, a);
-    if (glance.facing < -options_.cos_separation - 1e-6 || !glance.reached_by(reach_)) return;
+    if (!FacetGlance(p, d, a).reached_by(reach_)) return;
     const Vec3d b = tree_.corner(p, 1) - query_.point, c = tree_.corner(p, 2) - query_.point;
     if (is_shallow(a, b, c)) return;
     record(p, ball_through_triangle(d, a, b, c, reach_));

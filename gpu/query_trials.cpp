@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "gpu/angle_batch.h"
 #include "gpu/box.h"
 #include "gpu/closest_point.h"
 #include "gpu/dexel.h"
@@ -41,6 +42,10 @@ void add(Bits& bits, const Dexel& d) { bits.add(d.from).add(d.to); }
 void add(Bits& bits, const PlanSide& s) {
   bits.add(s.from.x).add(s.from.y).add(s.to.x).add(s.to.y).add(s.facet);
   bits.add(std::uint32_t{s.edge}).add(static_cast<std::uint32_t>(s.turn));
+}
+void add(Bits& bits, const AngleValues& v) {
+  bits.add(v.sine).add(v.cosine).add(v.angle).add(v.arc_cosine);
+  bits.add(v.hyperbolic_sine).add(v.hyperbolic_cosine);
 }
 void add(Bits& bits, float x) { bits.add(static_cast<double>(x)); }
 void add(Bits& bits, std::uint8_t x) { bits.add(std::uint32_t{x}); }
@@ -252,6 +257,19 @@ PreparedTrial dexels(const Device& device, const FacetSurface& surface) {
       [state] { return bits_of(state->found.all); }};
 }
 
+// Of coordinates, small and huge.
+PreparedTrial angles(const Device& device, const FacetSurface& surface) {
+  struct State {
+    std::vector<double> numbers;
+    std::vector<AngleValues> found;
+  };
+  const auto state = std::make_shared<State>();
+  for (const Vec3d& p : surface.points)
+    for (const double x : {p.x, p.y / 16, 0x1p9 * p.z, 0x1p60 * p.x}) state->numbers.push_back(x);
+  return {[=] { state->found = angle_values(device, state->numbers); },
+          [state] { return bits_of(state->found); }};
+}
+
 constexpr std::array trials{QueryTrial{"tree build", tree},
                             QueryTrial{"largest balls", spheres},
                             QueryTrial{"rays", rays},
@@ -261,7 +279,8 @@ constexpr std::array trials{QueryTrial{"tree build", tree},
                             QueryTrial{"distance transform", distances},
                             QueryTrial{"facets near", near_facets},
                             QueryTrial{"contact depths", depths},
-                            QueryTrial{"dexels", dexels}};
+                            QueryTrial{"dexels", dexels},
+                            QueryTrial{"angles", angles}};
 
 }  // namespace
 

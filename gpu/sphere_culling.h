@@ -39,6 +39,10 @@ class SphereCulling {
     origin_ = to_float(base_);
     direction_ = to_float(direction);
     cosine_ = static_cast<float>(options.cos_separation);
+    if constexpr (loose) {  // a direction that tilts meets contacts that turn away by less
+      cosine_ += looseness.tilt + 2e-5F;
+      if (cosine_ > 1) cosine_ = 1;
+    }
     squared_sine_ = 1 - cosine_ * cosine_;
     for (int k = 0; k < 3; ++k) {
       const float across = 1 - direction_[k] * direction_[k];

@@ -33,15 +33,19 @@ class SphereLowerBound {
   }
 
   GABARIT_HD void visit(const Primitive& p) {
-    if (p.id == query_.own || !(limit_ > 0)) return;
-    const Vec3d a = tree_.corner(p, 0) - query_.point, b = tree_.corner(p, 1) - query_.point;
-    if (p.is_facet()) {
-      const FacetGlance glance(p, query_.direction, a);
-      if (glance.facing < -options_.cos_separation - 1e-6 || !reached(glance, p)) return;
-      visit_facet(a, b, tree_.corner(p, 2) - query_.point, static_cast<double>(p.sag));
-    } else {
-      visit_feature(p, a, b);
-    }
+    if (p.id == query_.own || !(limit_ > 0) || &p == contact_) return;
+    const auto corner = [&](int i) { return tree_.corner(p, i) - query_.point; };
+    if (!p.is_facet()) return visit_feature(p, corner(0), corner(1));
+    if (dot(p.normal, query_.direction) < -options_.cos_separation - 1e-6) return;
+    const Vec3d a = corner(0);
+    if (reached(FacetGlance(p, query_.direction, a), p))
+      visit_facet(a, corner(1), corner(2), static_cast<double>(p.sag));
+  }
+
+  // The contact of the ball, before the search.
+  GABARIT_HD void start_from(const Primitive& contact) {
+    visit(contact);
+    contact_ = &contact;
   }
 
   GABARIT_HD double result() const {
@@ -154,22 +158,16 @@ class SphereLowerBound {
     return true;
   }
 
-  // Contacts lie on the positive side of both directions. In the plane of the two that is an arc about their
-  // sum, as wide as they bend; it counts twice as wide, for the surface that the facets stand for. Across
-  // that plane they are free, but not on an edge.
+  // Across the plane of the two directions contacts are free, but not on an edge.
   GABARIT_HD bool faces(const Vec3d& one, const Vec3d& other, bool edge) const {
     const Vec3d sum = one + other;
-    const double sine_of_half = 0.5 * length(sum);
-    if (!(sine_of_half > 0.02 && sine_of_half < 1)) return true;
-    const double cosine_of_half = std::sqrt(1 - sine_of_half * sine_of_half);
-    const bool smooth = sine_of_half < 0.5;
-    const double sine = smooth ? 2 * sine_of_half * cosine_of_half : sine_of_half;
-    const double cosine = smooth ? 1 - 2 * sine_of_half * sine_of_half : cosine_of_half;
-    const double middle = dot(sum, query_.direction) / (2 * sine_of_half);
+    const ContactArc arc(sum);
+    if (!arc.bounds()) return true;
+    const double middle = dot(sum, query_.direction) / (2 * arc.sine_of_half);
     const double aside = std::fabs(dot(normalized(one - other), query_.direction));
     const double plane = middle * middle + aside * aside;
-    const bool within = middle > 0 && middle * middle >= plane * cosine * cosine;
-    double farthest = within ? std::sqrt(plane) : middle * cosine + aside * sine;
+    const bool within = middle > 0 && middle * middle >= plane * arc.cosine * arc.cosine;
+    double farthest = within ? std::sqrt(plane) : middle * arc.cosine + aside * arc.sine;
     if (!edge) {
       const double across = plane < 1 ? 1 - plane : 0.0;
       farthest = std::sqrt((farthest > 0 ? farthest * farthest : 0.0) + across);
@@ -200,6 +198,7 @@ class SphereLowerBound {
   double least_;
   SphereCulling<true> culling_;
   SearchGap gap_;
+  const Primitive* contact_ = nullptr;
   float limit_ = 0;
   int visits_ = 0;
 };

@@ -30,11 +30,12 @@ GABARIT_HD void for_each_above(View<const std::uint32_t> home, View<const std::u
 
 struct SumNormals {
   View<const Primitive> primitives;
+  View<const ContactCap> caps;
   View<const std::uint32_t> home, parent;
   View<Below> below;
 
   GABARIT_HD void operator()(std::int64_t i) const {
-    const Vec3f normal = primitives[i].normal;
+    const Vec3f normal = cap_of(primitives[i], caps).axis;
     for_each_above(home, parent, i, [&](std::uint32_t place) {
       below[place].normals.add_shared(normal);
       fetch_add(below[place].count, 1);
@@ -54,6 +55,7 @@ struct TakeMeans {
 
 struct Narrow {
   View<const Primitive> primitives;
+  View<const ContactCap> caps;
   View<const Vec3d> points;
   Vec3d origin;
   View<const std::uint32_t> home, parent;
@@ -68,7 +70,7 @@ struct Narrow {
       const Vec3d axis{static_cast<double>(node.axis[0][k]), static_cast<double>(node.axis[1][k]),
                        static_cast<double>(node.axis[2][k])};
       if (axis == Vec3d{}) return;
-      const NormalCone cone = cone_of(p, points.data, origin, axis);
+      const NormalCone cone = cone_of(p, cap_of(p, caps), points.data, origin, axis);
       lower_shared(below[place].offset, ordered(cone.offset));
       lower_shared(below[place].cone, ordered(cone.cosine));
     });
@@ -91,19 +93,19 @@ struct Write {
 
 }  // namespace
 
-void add_cones_there(const Device& device, View<const Primitive> primitives, View<const Vec3d> points,
-                     const Vec3d& origin, WideTree& tree) {
+void add_cones_there(const Device& device, View<const Primitive> primitives, View<const ContactCap> caps,
+                     View<const Vec3d> points, const Vec3d& origin, WideTree& tree) {
   const std::int64_t children = 8 * tree.nodes.size();
   auto below = Buffer<Below>::of_size(device, children);
   const View<const Below> found = std::as_const(below).view();
   const View<const std::uint32_t> home = std::as_const(tree.home).view(),
                                   parent = std::as_const(tree.parent).view();
   parallel_for(device, children, ClearBelow{below.view()});
-  parallel_for(device, primitives.size, SumNormals{primitives, home, parent, below.view()});
+  parallel_for(device, primitives.size, SumNormals{primitives, caps, home, parent, below.view()});
   parallel_for(device, children, TakeMeans{found, tree.nodes.view()});
   parallel_for(
       device, primitives.size,
-      Narrow{primitives, points, origin, home, parent, std::as_const(tree.nodes).view(), below.view()});
+      Narrow{primitives, caps, points, origin, home, parent, std::as_const(tree.nodes).view(), below.view()});
   parallel_for(device, children, Write{found, tree.nodes.view()});
 }
 

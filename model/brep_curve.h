@@ -1,6 +1,7 @@
 // Points and derivatives on the curves of a Brep.
 #pragma once
 
+#include "gpu/angles.h"
 #include "model/brep_spline.h"
 
 namespace gabarit {
@@ -13,7 +14,8 @@ GABARIT_HD inline double wrapped(double t, double first, double last) {
   return t >= first && t <= last ? t : t - (last - first) * std::floor((t - first) / (last - first));
 }
 
-GABARIT_HD inline CurvePoint spline_curve_point(const BrepView& brep, const Curve& c, double t) {
+GABARIT_SEPARATE GABARIT_HD inline CurvePoint spline_curve_point(const BrepView& brep, const Curve& c,
+                                                                 double t) {
   SplineBasis basis;
   spline_basis(brep.knots.data + c.first_knot, c.degree, c.pole_count, t, basis);
   Pole a{0, 0, 0, 0}, d1 = a, d2 = a;
@@ -35,19 +37,19 @@ GABARIT_HD inline CurvePoint conic_point(const Axes& axes, double x, double dx, 
   return {axes.origin + axes.x * x + axes.y * y, axes.x * dx + axes.y * dy, axes.x * ddx + axes.y * ddy};
 }
 
-GABARIT_HD inline CurvePoint curve_point(const BrepView& brep, const Curve& c, double t) {
+GABARIT_SEPARATE GABARIT_HD inline CurvePoint curve_point(const BrepView& brep, const Curve& c, double t) {
   if (c.periodic) t = wrapped(t, c.first, c.last);
   switch (c.kind) {
     case CurveKind::line: break;
     case CurveKind::circle:
     case CurveKind::ellipse: {
       const double b = c.kind == CurveKind::circle ? c.radius : c.minor;
-      const double cosine = std::cos(t), sine = std::sin(t);
+      const auto [sine, cosine] = sine_cosine(t);
       return conic_point(c.axes, c.radius * cosine, -c.radius * sine, -c.radius * cosine, b * sine,
                          b * cosine, -b * sine);
     }
     case CurveKind::hyperbola: {
-      const double ch = std::cosh(t), sh = std::sinh(t);
+      const auto [sh, ch] = hyperbolic_sine_cosine(t);
       return conic_point(c.axes, c.radius * ch, c.radius * sh, c.radius * ch, c.minor * sh, c.minor * ch,
                          c.minor * sh);
     }

@@ -9,7 +9,8 @@ namespace gabarit {
 
 // The parameter of the place of the edge's curve that is nearest to p: from the nearest of a row of places by
 // Newton's method. Right for points near the curve, where alone it is asked; the edge has a curve.
-GABARIT_HD inline double nearest_on_edge(const BrepView& brep, const Edge& edge, const Vec3d& p) {
+GABARIT_SEPARATE GABARIT_HD inline double nearest_on_edge(const BrepView& brep, const Edge& edge,
+                                                          const Vec3d& p) {
   constexpr int most_steps = 12;
   const Curve& curve = brep.curves[edge.curve];
   const int places = curve.kind == CurveKind::line ? 1 : curve.kind == CurveKind::circle ? 8 : 48;

@@ -106,7 +106,7 @@ class FaceDescent {
     u_free_ = s.u_periodic, v_free_ = s.v_periodic;
   }
 
-  GABARIT_HD FaceFoot run(Parameters from) {
+  GABARIT_SEPARATE GABARIT_HD FaceFoot run(Parameters from) {
     FaceFoot foot;
     move_to(foot, clamped(from));
     while (foot.iterations < most_iterations && step(foot)) ++foot.iterations;

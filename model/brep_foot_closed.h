@@ -29,7 +29,7 @@ GABARIT_HD inline bool has_closed_feet(SurfaceKind kind) {
 }
 
 // The parameter of a cone's apex.
-GABARIT_HD inline double apex_of(const Surface& cone) { return -cone.radius / std::sin(cone.minor); }
+GABARIT_HD inline double apex_of(const Surface& cone) { return -cone.radius / sine(cone.minor); }
 
 // A vector in the axes of a surface: along z, and across it by its components along x and y.
 struct AxialVector {
@@ -37,7 +37,7 @@ struct AxialVector {
   GABARIT_HD AxialVector(const Axes& axes, const Vec3d& v)
       : x(dot(v, axes.x)), y(dot(v, axes.y)), z(dot(v, axes.z)) {}
   GABARIT_HD double across(const AxialVector& b) const { return x * b.x + y * b.y; }
-  GABARIT_HD double azimuth() const { return std::atan2(y, x); }
+  GABARIT_HD double azimuth() const { return angle_of(y, x); }
 };
 
 // The solutions of a·t² + 2b·t + c = 0, also of first degree; not finite where there is none.
@@ -57,7 +57,7 @@ class ClosedFootSearch {
   GABARIT_HD ClosedFootSearch(const Surface& surface, const Pencil& pencil, double size)
       : surface_(surface), pencil_(pencil), size_(size) {}
 
-  GABARIT_HD void add_feet(ClosedFeet& feet) const {
+  GABARIT_SEPARATE GABARIT_HD void add_feet(ClosedFeet& feet) const {
     switch (surface_.kind) {
       case SurfaceKind::plane: return on_plane(feet);
       case SurfaceKind::sphere: return on_sphere(feet);
@@ -69,7 +69,8 @@ class ClosedFootSearch {
 
   // On the line where normal · axis is `least`, for the outward normal of the face; axis is the pencil's
   // direction or against it.
-  GABARIT_HD void add_rim(const Face& face, const Vec3d& axis, double least, ClosedFeet& feet) const {
+  GABARIT_SEPARATE GABARIT_HD void add_rim(const Face& face, const Vec3d& axis, double least,
+                                           ClosedFeet& feet) const {
     const Axes& axes = surface_.axes;
     const double hand = dot(cross(axes.x, axes.y), axes.z) < 0 ? -face.sign : face.sign;
     const double middle = (face.range.v0 + face.range.v1) / 2;
@@ -80,7 +81,7 @@ class ClosedFootSearch {
       case SurfaceKind::cylinder: return add_lines(face, axis, least * hand, 0, 1, feet);
       default: break;
     }
-    const double sine = std::sin(surface_.minor), cosine = std::cos(surface_.minor);
+    const auto [sine, cosine] = sine_cosine(surface_.minor);
     const double nappe = surface_.radius + middle * sine < 0 ? -hand : hand;
     add_lines(face, axis, least * nappe, sine, cosine, feet);
   }
@@ -113,7 +114,7 @@ class ClosedFootSearch {
   }
   GABARIT_HD void add_on_sphere(const Vec3d& towards, ClosedFeet& feet) const {
     const AxialVector p(surface_.axes, towards);
-    feet.add(p.azimuth(), std::atan2(p.z, std::sqrt(p.x * p.x + p.y * p.y)));
+    feet.add(p.azimuth(), angle_of(p.z, std::sqrt(p.x * p.x + p.y * p.y)));
   }
 
   // The distance of the centre from the axis is the sum or the difference of the radii.
@@ -126,15 +127,16 @@ class ClosedFootSearch {
       for (const double t : roots.t) {
         if (!(t > 0)) continue;
         const double turned = r + way * t < 0 ? -1 : 1;
-        feet.add(std::atan2(turned * (c.y + t * d.y), turned * (c.x + t * d.x)), c.z + t * d.z);
+        feet.add(angle_of(turned * (c.y + t * d.y), turned * (c.x + t * d.x)), c.z + t * d.z);
       }
     }
-    if (std::fabs(inside) < own * r * r) feet.add(std::atan2(-c.y, -c.x), c.z);
+    if (std::fabs(inside) < own * r * r) feet.add(angle_of(-c.y, -c.x), c.z);
   }
 
   // The same with the distance from a line of the cone, in the plane of the axis and the centre.
   GABARIT_HD void on_cone(ClosedFeet& feet) const {
-    const double sine = std::sin(surface_.minor), cosine = std::cos(surface_.minor), apex = apex_of(surface_);
+    const auto [sine, cosine] = sine_cosine(surface_.minor);
+    const double apex = apex_of(surface_);
     const AxialVector c(surface_.axes,
                         pencil_.point - surface_.axes.origin - apex * cosine * surface_.axes.z),
         d(surface_.axes, pencil_.direction);
@@ -148,11 +150,10 @@ class ClosedFootSearch {
         if (!(t > 0)) continue;
         const double turned = slope * t + down < 0 ? -1 : 1;
         const double x = turned * (c.x + t * d.x), y = turned * (c.y + t * d.y);
-        feet.add(std::atan2(y, x),
-                 apex + turned * sine * std::sqrt(x * x + y * y) + cosine * (c.z + t * d.z));
+        feet.add(angle_of(y, x), apex + turned * sine * std::sqrt(x * x + y * y) + cosine * (c.z + t * d.z));
       }
     }
-    if (std::fabs(inside) < own * aside) feet.add(std::atan2(-c.y, -c.x), apex + c.z / cosine);
+    if (std::fabs(inside) < own * aside) feet.add(angle_of(-c.y, -c.x), apex + c.z / cosine);
   }
 
   // The distance of the centre from the circle in the middle of the tube: squared twice it stays of second
@@ -171,15 +172,15 @@ class ClosedFootSearch {
         if (t > 0) add_on_torus(c, d, t, constant + slope * t < 0, small + way * t, feet);
     }
     const double x = std::sqrt(c.across(c)), off = std::sqrt((x - large) * (x - large) + c.z * c.z) - small;
-    if (std::fabs(off) < own * small) feet.add(c.azimuth(), std::atan2(-c.z, large - x));
+    if (std::fabs(off) < own * small) feet.add(c.azimuth(), angle_of(-c.z, large - x));
   }
   // `far`: the circle is nearest on the other side of the axis.
   GABARIT_HD void add_on_torus(const AxialVector& c, const AxialVector& d, double t, bool far,
                                double distance, ClosedFeet& feet) const {
     const double x = c.x + t * d.x, y = c.y + t * d.y, z = c.z + t * d.z;
     const double turned = far ? -1 : 1, out = distance < 0 ? -1 : 1;
-    feet.add(std::atan2(turned * y, turned * x),
-             std::atan2(out * z, out * (turned * std::sqrt(x * x + y * y) - surface_.radius)));
+    feet.add(angle_of(turned * y, turned * x),
+             angle_of(out * z, out * (turned * std::sqrt(x * x + y * y) - surface_.radius)));
   }
 
   // Along the circle only the distance from the point changes.
@@ -200,14 +201,15 @@ class ClosedFootSearch {
     const AxialVector a(surface_.axes, axis);
     const double ratio = (facing + sine * a.z) / (cosine * std::sqrt(a.across(a)));
     if (!(std::fabs(ratio) < 1 + slack)) return;
-    const double turn = std::acos(ratio > 1 ? 1.0 : ratio < -1 ? -1.0 : ratio), middle = a.azimuth();
+    const double turn = arc_cosine(ratio > 1 ? 1.0 : ratio < -1 ? -1.0 : ratio), middle = a.azimuth();
     add_on_line(face, middle - turn, sine, cosine, feet);
     add_on_line(face, middle + turn, sine, cosine, feet);
   }
   GABARIT_HD void add_on_line(const Face& face, double u, double sine, double cosine,
                               ClosedFeet& feet) const {
     const Axes& axes = surface_.axes;
-    const Vec3d e = std::cos(u) * axes.x + std::sin(u) * axes.y, along = sine * e + cosine * axes.z;
+    const SineCosine turn = sine_cosine(u);
+    const Vec3d e = turn.cosine * axes.x + turn.sine * axes.y, along = sine * e + cosine * axes.z;
     const Vec3d start = axes.origin + surface_.radius * e - pencil_.point;
     const ParameterBox& r = face.range;
     double at = 0;

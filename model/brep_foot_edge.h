@@ -22,7 +22,7 @@ class CurveDescent {
   GABARIT_HD CurveDescent(const BrepView& brep, const Curve& curve, const Pencil& pencil)
       : brep_(brep), curve_(curve), pencil_(pencil) {}
 
-  GABARIT_HD CurveFoot run(double first, double last, double from) const {
+  GABARIT_SEPARATE GABARIT_HD CurveFoot run(double first, double last, double from) const {
     const double least = first < last ? first : last, most = first < last ? last : first;
     double low = least, high = most, t = from > low && from < high ? from : low + (high - low) / 2;
     bool least_seen = false, most_seen = false;

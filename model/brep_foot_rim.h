@@ -55,12 +55,12 @@ class RimDescent {
         face_(brep.faces[face]),
         pencil_(pencil),
         axis_(axis),
-        angle_(std::acos(least < -1 ? -1.0 : least)),
+        angle_(arc_cosine(least < -1 ? -1.0 : least)),
         reach_(reach),
         known_(known) {}
 
   // By secants of the slope along the rim; where it does not bend away, by longer and longer steps.
-  GABARIT_HD RimFoot run(Parameters from) const {
+  GABARIT_SEPARATE GABARIT_HD RimFoot run(Parameters from) const {
     Place here;
     RimFoot& foot = here.foot;
     if (!reach_rim(from, here)) return foot;
@@ -138,7 +138,7 @@ class RimDescent {
       const Parameters up = metric.solve(fu, fv);
       const double steepness = fu * up.u + fv * up.v;                    // squared, 1/mm²
       if (!(steepness > 1e-12)) return place.foot.at_end = true, false;  // it does not turn: no rim
-      const double off = std::atan2(across, facing) - angle_;
+      const double off = angle_of(across, facing) - angle_;
       if (std::fabs(off) < 1e-11) return settle(at, s, metric, {-fv, fu}, place);
       at.u -= off / steepness * up.u, at.v -= off / steepness * up.v;
       if (!inside_domain(at)) return place.foot.at_end = true, false;

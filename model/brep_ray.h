@@ -25,6 +25,9 @@ struct RayFrame {
   }
 };
 
+// How far what is seen lies from the line.
+GABARIT_HD inline double aside(const Vec3d& seen) { return std::sqrt(seen.x * seen.x + seen.y * seen.y); }
+
 struct RayMeeting {
   double distance = 0;  // along the line
   double beside = 0;    // mm: how far the point of the surface is from the line
@@ -36,13 +39,13 @@ struct RayMeeting {
 // Newton's method in (u, v) from the parameters on, halving steps until the point comes nearer to the line;
 // the trimming curves are not looked at. Met when it ends within `close` of the line. Where the line touches
 // the surface without crossing it the method is slow and may end short of it.
-GABARIT_HD inline RayMeeting meet_surface(const BrepView& brep, const Face& face, const RayFrame& ray,
-                                          Parameters at, double close) {
+GABARIT_SEPARATE GABARIT_HD inline RayMeeting meet_surface(const BrepView& brep, const Face& face,
+                                                           const RayFrame& ray, Parameters at, double close) {
   constexpr int most_steps = 30, most_halvings = 20;
   const Surface& surface = brep.surfaces[face.surface];
   SurfacePoint s = face_point(brep, face, at);
   Vec3d q = ray.seen(s.p);
-  double beside = std::hypot(q.x, q.y);
+  double beside = aside(q);
   for (int step = 0; step < most_steps && beside > 1e-3 * close; ++step) {
     const double xu = dot(s.du, ray.x), xv = dot(s.dv, ray.x), yu = dot(s.du, ray.y), yv = dot(s.dv, ray.y);
     const double area = xu * yv - xv * yu;
@@ -54,7 +57,7 @@ GABARIT_HD inline RayMeeting meet_surface(const BrepView& brep, const Face& face
       const Parameters next = kept_on_surface(surface, face, {at.u + part * du, at.v + part * dv});
       const SurfacePoint there = face_point(brep, face, next);
       const Vec3d seen = ray.seen(there.p);
-      const double distance = std::hypot(seen.x, seen.y);
+      const double distance = aside(seen);
       nearer = distance < beside;
       if (nearer) at = next, s = there, q = seen, beside = distance;
     }
@@ -78,16 +81,15 @@ GABARIT_HD inline bool at_an_edge(const BrepView& brep, FaceId face, const Vec3d
 enum class Presence : std::uint8_t { absent, near, there };
 
 // `reach` is not less than twice the tolerance of any edge or vertex of the face.
-GABARIT_HD inline Presence presence(const BrepView& brep, FaceId face, const RayMeeting& meeting,
-                                    double reach) {
+GABARIT_SEPARATE GABARIT_HD inline Presence presence(const BrepView& brep, FaceId face,
+                                                     const RayMeeting& meeting, double reach) {
   const bool inside = trim_side(brep, face, meeting.at) == TrimSide::inside;
   const double along_u = length(meeting.du), along_v = length(meeting.dv);
   bool beside = false;
   // Eight directions: they need not be at right angles on the surface.
   for (int i = 0; i < 8 && !beside && along_u > 0 && along_v > 0; ++i) {
-    const double angle = i * (3.14159265358979323846 / 4);
-    const Parameters there{meeting.at.u + reach * std::cos(angle) / along_u,
-                           meeting.at.v + reach * std::sin(angle) / along_v};
+    const auto [sine, cosine] = sine_cosine(i * (3.14159265358979323846 / 4));
+    const Parameters there{meeting.at.u + reach * cosine / along_u, meeting.at.v + reach * sine / along_v};
     beside = (trim_side(brep, face, there) == TrimSide::inside) != inside;
   }
   if (beside && at_an_edge(brep, face, meeting.p)) return Presence::near;

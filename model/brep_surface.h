@@ -17,15 +17,17 @@ struct ProfilePoint {
 GABARIT_HD inline ProfilePoint profile_point(const Surface& s, double v) {
   switch (s.kind) {
     case SurfaceKind::cone: {
-      const double sine = std::sin(s.minor), cosine = std::cos(s.minor);
+      const auto [sine, cosine] = sine_cosine(s.minor);
       return {s.radius + v * sine, sine, 0, v * cosine, cosine, 0};
     }
     case SurfaceKind::sphere: {
-      const double x = s.radius * std::cos(v), y = s.radius * std::sin(v);
+      const auto [sine, cosine] = sine_cosine(v);
+      const double x = s.radius * cosine, y = s.radius * sine;
       return {x, -y, -x, y, x, -y};
     }
     case SurfaceKind::torus: {
-      const double x = s.minor * std::cos(v), y = s.minor * std::sin(v);
+      const auto [sine, cosine] = sine_cosine(v);
+      const double x = s.minor * cosine, y = s.minor * sine;
       return {s.radius + x, -y, -x, y, x, -y};
     }
     default: return {s.radius, 0, 0, v, 1, 0};
@@ -34,7 +36,7 @@ GABARIT_HD inline ProfilePoint profile_point(const Surface& s, double v) {
 
 GABARIT_HD inline SurfacePoint turned_profile(const Surface& s, double u, double v) {
   const ProfilePoint f = profile_point(s, v);
-  const double cosine = std::cos(u), sine = std::sin(u);
+  const auto [sine, cosine] = sine_cosine(u);
   const Vec3d e = s.axes.x * cosine + s.axes.y * sine, de = s.axes.y * cosine - s.axes.x * sine;
   return {s.axes.origin + e * f.rho + s.axes.z * f.h,
           de * f.rho,
@@ -46,7 +48,8 @@ GABARIT_HD inline SurfacePoint turned_profile(const Surface& s, double u, double
 
 GABARIT_HD inline SurfacePoint revolution_point(const BrepView& brep, const Surface& s, double u, double v) {
   const CurvePoint c = curve_point(brep, brep.curves[s.curve], v);
-  const double cosine = std::cos(u), sine = std::sin(u);
+  const SineCosine angle = sine_cosine(u);
+  const double cosine = angle.cosine, sine = angle.sine;
   const Vec3d z = s.axes.z;
   const auto turn = [&](const Vec3d& a) {
     return z * (dot(a, z) * (1 - cosine)) + a * cosine + cross(z, a) * sine;
@@ -58,8 +61,8 @@ GABARIT_HD inline SurfacePoint revolution_point(const BrepView& brep, const Surf
   return {s.axes.origin + turn(arm), turn_d(flat), turn(c.d), -turn(flat), turn_d(c.d), turn(c.dd)};
 }
 
-GABARIT_HD inline SurfacePoint spline_surface_point(const BrepView& brep, const Surface& s, double u,
-                                                    double v) {
+GABARIT_SEPARATE GABARIT_HD inline SurfacePoint spline_surface_point(const BrepView& brep, const Surface& s,
+                                                                     double u, double v) {
   SplineBasis bu, bv;
   spline_basis(brep.knots.data + s.first_u_knot, s.u_degree, s.u_poles, u, bu);
   spline_basis(brep.knots.data + s.first_v_knot, s.v_degree, s.v_poles, v, bv);
@@ -86,7 +89,8 @@ GABARIT_HD inline SurfacePoint spline_surface_point(const BrepView& brep, const 
   return r;
 }
 
-GABARIT_HD inline SurfacePoint surface_point(const BrepView& brep, const Surface& s, double u, double v) {
+GABARIT_SEPARATE GABARIT_HD inline SurfacePoint surface_point(const BrepView& brep, const Surface& s,
+                                                              double u, double v) {
   if (s.u_periodic) u = wrapped(u, s.domain.u0, s.domain.u1);
   if (s.v_periodic) v = wrapped(v, s.domain.v0, s.domain.v1);
   switch (s.kind) {

@@ -101,7 +101,7 @@ GABARIT_HD inline double all_crossings(const BrepView& brep, const FaceTrim& tri
 
 // On which side of the trimming curves of the face the point is, to the last digits of the curves: no chord
 // stands for them. `at` may lie in any turn of a periodic parameter. On a curve either answer may come.
-GABARIT_HD inline TrimSide trim_side(const BrepView& brep, FaceId face, Parameters at) {
+GABARIT_SEPARATE GABARIT_HD inline TrimSide trim_side(const BrepView& brep, FaceId face, Parameters at) {
   const FaceTrim& trim = brep.trims[face];
   const Surface& surface = brep.surfaces[brep.faces[face].surface];
   const double u_turn = u_period(surface), v_turn = v_period(surface);

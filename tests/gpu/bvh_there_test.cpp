@@ -102,6 +102,23 @@ TEST(BvhThere, facets_edges_and_vertices_in_any_place_have_the_tree_of_the_cpu) 
     expect_the_same_tree_there(random_surface(count, count));
 }
 
+TEST(BvhThere, edges_and_vertices_that_balls_can_touch_have_the_tree_of_the_cpu) {
+  FacetSurface surface = random_surface(3000, 11);
+  std::mt19937 random(12);
+  std::normal_distribution<float> any;
+  for (Primitive& p : surface.primitives) {
+    if (p.is_facet()) continue;
+    p.corner[2] = static_cast<std::uint32_t>(surface.fan_first.size() - 1);
+    for (int k = 0; k < 5; ++k) {
+      const Vec3d w = normalized(Vec3d{any(random), any(random), 0.5 + std::fabs(any(random))});
+      surface.fan_directions.push_back(
+          {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)});
+    }
+    surface.fan_first.push_back(static_cast<std::uint32_t>(surface.fan_directions.size()));
+  }
+  expect_the_same_tree_there(surface);
+}
+
 TEST(BvhThere, threads_make_no_difference) {
   const FacetSurface surface = random_surface(5000, 1);
   expect_equal_trees(Bvh(Device::simulated(1), surface), Bvh(Device::simulated(4), surface));
@@ -124,8 +141,8 @@ FacetSurface copies(int count) {
 
 TEST(BvhThere, some_copies_of_every_facet_are_cut_and_too_many_are_left_to_the_cpu) {
   for (const int count : {2, 9, 40, 60, 200}) expect_the_same_tree_there(copies(count));
-  EXPECT_TRUE(build_there(Device::simulated(1), copies(40), {}).has_value());
-  EXPECT_FALSE(build_there(Device::simulated(1), copies(60), {}).has_value());
+  EXPECT_TRUE(build_there(Device::simulated(1), copies(40), {}, {}).has_value());
+  EXPECT_FALSE(build_there(Device::simulated(1), copies(60), {}, {}).has_value());
 }
 
 // Each nearer to the middle by a factor: cuts take few off at a time.
