@@ -32,7 +32,12 @@ class CurveProjection {
     std::size_t best = 0;
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (squared_length(places_[i] - p) < squared_length(places_[best] - p)) best = i;
-    return closed_in(p, parameter(static_cast<int>(best)));
+    const int at = static_cast<int>(best);
+    const Projection found = closed_in(p, parameter(at));
+    if (!closed() || (at > 0 && at < count_)) return found;
+    // Where a closed curve begins it also ends: the point may lie on either side.
+    const Projection other = closed_in(p, parameter(count_ - at));
+    return other.distance < found.distance ? other : found;
   }
 
   // From a parameter that is known to be near.

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
+
+#include "checks/curvature_bound.h"
+#include "checks/span_cuts.h"
 
 namespace gabarit {
 namespace {
@@ -14,13 +18,28 @@ struct Place {
 };
 constexpr Place centroid{1 / 3., 1 / 3.};
 constexpr std::array<Place, 3> corners{{{1, 0}, {0, 1}, {0, 0}}};
-constexpr int least_grid = 3, finest_grid = 16, in_a_span = 3;
-constexpr std::array<Place, 6> directions{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}};
+constexpr double nearest = 0.98;  // of the way to a pole: no place closer to it is looked at
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double flat_cone = 1e-9;  // 1/mm
+constexpr double hardly = 1e-6;     // of the curvature
+constexpr double far_off = 1.02;
+
+// How far a bound may lie above the sharpest curvature found: a share of it where it is constant and where it
+// varies, and 1/mm.
+constexpr double without_doubt = 3e-8, settled = 1e-3, nearly_flat = 2e-4;
+constexpr std::size_t most_boxes = 400, most_boxes_of_constant = 24;
+constexpr std::size_t most_cells = 20'000;  // between knots: a facet over more has no bound
+constexpr double beside_pole = 1e-3;        // of a facet
 
 class Patch {
  public:
-  Patch(const BrepView& brep, const FacetOrigin& facet)
-      : brep_(brep), facet_(facet), face_(brep.faces[facet.face]), surface_(brep.surfaces[face_.surface]) {}
+  Patch(const BrepView& brep, const FacetOrigin& facet, const FacetDomain& domain, double constant)
+      : brep_(brep),
+        facet_(facet),
+        domain_(domain),
+        constant_(constant),
+        face_(brep.faces[facet.face]),
+        surface_(brep.surfaces[face_.surface]) {}
 
   SharpestPoint sharpest() {
     switch (surface_.kind) {
@@ -29,7 +48,7 @@ class Patch {
       case SurfaceKind::sphere: return at(centroid);
       case SurfaceKind::cone: return on_cone();
       case SurfaceKind::torus: return on_torus();
-      default: return searched();
+      default: return constant_ > 0 ? SharpestPoint{constant_, constant_, at(centroid).at} : searched();
     }
   }
 
@@ -44,7 +63,6 @@ class Patch {
   // Towards a pole normal and curvature drown in rounding noise: a fiftieth of the facet beside it stands for
   // it.
   SharpestPoint at(Place w) const {
-    constexpr double nearest = 0.98;
     std::array<double, 3> weights{w.a, w.b, 1 - w.a - w.b};
     const auto pull = [&](int pole) {
       if (pole < 0 || weights[static_cast<std::size_t>(pole)] <= nearest) return;
@@ -70,10 +88,9 @@ class Patch {
   // Monotone along the axis, infinite at the apex.
   SharpestPoint on_cone() const {
     SharpestPoint best = best_of_corners();
-    if (facet_.u_pole >= 0 && best.curvature > 1e-9)
-      best = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-              facet_.corners[static_cast<std::size_t>(facet_.u_pole)]};
-    return best;
+    if (const auto pole = facet_.u_pole; pole >= 0 && best.curvature > flat_cone)
+      best = {infinity, infinity, facet_.corners[static_cast<unsigned char>(pole)]};
+    return with_curved_sides(best);
   }
 
   // Monotone in cos v: the corners, and the inner and outer equator when the facet reaches across them.
@@ -85,145 +102,173 @@ class Patch {
       const SharpestPoint s = at_parameters({(c[0].u + c[1].u + c[2].u) / 3, k * std::numbers::pi});
       if (s.curvature > best.curvature) best = s;
     }
+    best.most = best.curvature;
+    if (domain_.box.v0 < low || domain_.box.v1 > high) {
+      for (double k = std::ceil(domain_.box.v0 / std::numbers::pi); k * std::numbers::pi < domain_.box.v1;
+           ++k)
+        best.most = std::max(best.most, at_parameters({c[0].u, k * std::numbers::pi}).curvature);
+    }
+    return with_curved_sides(best);
+  }
+
+  // The ends of the domain in v; without a normal there they are an apex.
+  SharpestPoint with_curved_sides(SharpestPoint best) const {
+    if (!(best.curvature > flat_cone)) return best;
+    for (const double v : {domain_.box.v0, domain_.box.v1}) {
+      const double k = at_parameters({facet_.corners[0].u, v}).curvature;
+      best.most = std::max(best.most, std::isnan(k) ? infinity : k);
+    }
     return best;
   }
 
   SharpestPoint searched() {
-    const int n = grid_size();
-    const std::vector<Node> nodes = grid(n);
-    Place from = centroid;
-    SharpestPoint best = at(from);
-    double least = best.curvature;
-    for (const Node& node : nodes) {
-      least = std::min(least, node.point.curvature);
-      if (node.point.curvature > best.curvature || std::isnan(best.curvature))
-        best = node.point, from = node.place;
+    SharpestPoint best = at(centroid);
+    for (const Place& place : corners) {
+      const SharpestPoint s = at(place);
+      if (s.curvature > best.curvature || std::isnan(best.curvature)) best = s;
     }
-    const bool varies = best.curvature - least > 1e-6 * best.curvature;
-    if (!(best.curvature > 1e-9) || !varies) return best;
-    const double most = most_between(nodes, n);
-    best = uphill(from, best);
-    best.most = std::max(best.curvature, most);
-    return best;
+    if (std::isnan(best.curvature)) return best;
+    const double most = bound(best);
+    if (most > far_off * best.curvature + nearly_flat) look_around(best);
+    if (best.curvature > 0 && most - best.curvature > hardly * best.curvature) climb(best);
+    return best.most = std::max(best.curvature, most), best;
   }
 
-  struct Node {
-    Place place{};
-    SharpestPoint point;
-    std::array<std::size_t, 2> span{};
+  // For a peak that is narrower than the boxes.
+  void look_around(SharpestPoint& best) const {
+    constexpr int n = 16;
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; i + j <= n; ++j) {
+        const SharpestPoint s = at({static_cast<double>(i) / n, static_cast<double>(j) / n});
+        if (s.curvature > best.curvature) best = s;
+      }
+    }
+  }
+
+  struct Box {
+    ParameterBox at;
+    CurvatureBound bound;
+    // Whatever cannot be bounded comes first; ties do not depend on the order of the boxes.
+    bool operator<(const Box& b) const {
+      if (bound.greatest != b.bound.greatest) return bound.greatest < b.bound.greatest;
+      return at.u0 != b.at.u0 ? at.u0 < b.at.u0 : at.v0 < b.at.v0;
+    }
   };
 
-  // Row by row: node (i, j) of the grid has the number j + i·(2n + 3 - i)/2.
-  static std::size_t number(int n, int i, int j) {
-    return static_cast<std::size_t>(j) +
-           static_cast<std::size_t>(i) * static_cast<std::size_t>(2 * n + 3 - i) / 2;
+  // Of all boxes; on the way `best` becomes the sharpest of their middles.
+  double bound(SharpestPoint& best) {
+    std::optional<std::vector<Box>> found = cells();
+    if (!found) return infinity;
+    std::vector<Box>& boxes = *found;
+    for (std::size_t looked_at = boxes.size(); !boxes.empty(); looked_at += 2) {
+      const Box widest = boxes.front();
+      const bool in_doubt = widest.bound.varies <= hardly && looked_at < most_boxes_of_constant;
+      const double enough =
+          in_doubt ? best.curvature * (1 + without_doubt) : best.curvature * (1 + settled) + nearly_flat;
+      if (widest.bound.greatest <= std::max(nearly_flat, enough) || looked_at >= most_boxes)
+        return widest.bound.greatest;
+      try_out({(widest.at.u0 + widest.at.u1) / 2, (widest.at.v0 + widest.at.v1) / 2}, best);
+      std::pop_heap(boxes.begin(), boxes.end());
+      boxes.pop_back();
+      for (const ParameterBox& half : halves(widest)) add(half, boxes);
+    }
+    return 0;
   }
 
-  std::vector<Node> grid(int n) const {
-    std::vector<Node> nodes;
-    for (int i = 0; i <= n; ++i) {
-      for (int j = 0; i + j <= n; ++j) {
-        Node node;
-        node.place = {static_cast<double>(i) / n, static_cast<double>(j) / n};
-        node.point = at(node.place);
-        node.span = {span_of(knots_[0], node.point.at.u), span_of(knots_[1], node.point.at.v)};
-        nodes.push_back(node);
-      }
-    }
-    return nodes;
-  }
-  static std::size_t span_of(const std::vector<double>& knots, double t) {
-    return static_cast<std::size_t>(std::upper_bound(knots.begin(), knots.end(), t) - knots.begin());
+  void try_out(const Parameters& p, SharpestPoint& best) const {
+    if (!inside(p)) return;
+    if (const SharpestPoint s = at_parameters(p); s.curvature > best.curvature) best = s;
   }
 
-  // Over all runs of three neighbours within one span.
-  static double most_between(const std::vector<Node>& nodes, int n) {
-    double most = 0;
-    for (int i = 0; i <= n; ++i) {
-      for (int j = 0; i + j <= n; ++j) {
-        for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, -1}}) {
-          if (i + 2 * di > n || j + 2 * dj < 0 || i + 2 * di + j + 2 * dj > n) continue;
-          const Node& a = nodes[number(n, i, j)];
-          const Node& b = nodes[number(n, i + di, j + dj)];
-          const Node& c = nodes[number(n, i + 2 * di, j + 2 * dj)];
-          if (a.span != b.span || b.span != c.span) continue;
-          const double x = a.point.curvature, y = b.point.curvature, z = c.point.curvature;
-          // A parabola rises by no more than an eighth of it over its samples.
-          const double bend = std::fabs(x - 2 * y + z) / 4;
-          if (std::max({x, y, z}) + bend > most) most = std::max({x, y, z}) + bend;
-        }
-      }
-    }
-    return most;
-  }
-
-  // As fine as the narrowest span between knots asks for; notes the knots.
-  int grid_size() {
-    if (surface_.kind == SurfaceKind::spline) {
-      note_knots(0, surface_.first_u_knot, surface_.u_poles + surface_.u_degree + 1);
-      note_knots(1, surface_.first_v_knot, surface_.v_poles + surface_.v_degree + 1);
-    } else if (surface_.curve != no_number && brep_.curves[surface_.curve].kind == CurveKind::spline) {
-      const Curve& c = brep_.curves[surface_.curve];
-      note_knots(surface_.kind == SurfaceKind::extrusion ? 0 : 1, c.first_knot, c.pole_count + c.degree + 1);
-    }
-    int n = least_grid;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto [low, high] = range(k);
-      double narrowest = high - low, before = low;
-      for (const double knot : knots_[k]) narrowest = std::min(narrowest, knot - before), before = knot;
-      narrowest = std::min(narrowest, high - before);
-      if (narrowest > 0 && !knots_[k].empty())
-        n = std::max(n, static_cast<int>(
-                            std::min<double>(finest_grid, std::ceil(in_a_span * (high - low) / narrowest))));
-    }
-    return n;
-  }
-  std::pair<double, double> range(std::size_t k) const {
+  bool inside(const Parameters& p) const {
+    if (facet_.u_pole < 0 && facet_.v_pole < 0) return in_triangle(facet_, p);
+    const auto away = [](double t, double pole, double a, double b) {
+      return std::fabs(t - pole) >= (1 - nearest) * std::fabs((a + b) / 2 - pole);
+    };
+    const ParameterBox& d = domain_.box;
     const auto& c = facet_.corners;
-    return k == 0 ? std::minmax({c[0].u, c[1].u, c[2].u}) : std::minmax({c[0].v, c[1].v, c[2].v});
-  }
-  // Those inside the facet, each once, in the facet's own turn of a periodic parameter.
-  void note_knots(std::size_t k, std::uint32_t first, std::int32_t count) {
-    const auto [low, high] = range(k);
-    const ParameterBox& d = surface_.domain;
-    const bool periodic = k == 0 ? surface_.u_periodic : surface_.v_periodic;
-    const double start = k == 0 ? d.u0 : d.v0, period = k == 0 ? d.u1 - d.u0 : d.v1 - d.v0;
-    const double turn = periodic && period > 0 ? period * std::floor((low - start) / period) : 0;
-    std::vector<double>& knots = knots_[k];
-    for (std::int32_t i = 0; i < count; ++i) {
-      for (const double t : {brep_.knots[first + i] + turn, brep_.knots[first + i] + turn + period}) {
-        if (t > low && t < high && (t == brep_.knots[first + i] + turn || periodic)) knots.push_back(t);
-      }
-    }
-    std::sort(knots.begin(), knots.end());
-    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    const auto n = [](int k) { return static_cast<std::size_t>(k); };
+    if (facet_.u_pole >= 0 &&
+        !away(p.v, c[n(facet_.u_pole)].v, c[n(facet_.u_pole + 1) % 3].v, c[n(facet_.u_pole + 2) % 3].v))
+      return false;
+    if (facet_.v_pole >= 0 &&
+        !away(p.u, c[n(facet_.v_pole)].u, c[n(facet_.v_pole + 1) % 3].u, c[n(facet_.v_pole + 2) % 3].u))
+      return false;
+    return p.u >= d.u0 && p.u <= d.u1 && p.v >= d.v0 && p.v <= d.v1;
   }
 
-  SharpestPoint uphill(Place from, SharpestPoint best) const {
-    for (double step = 0.15; step > 1e-4;) {
-      const double before = best.curvature;
-      const Place centre = from;
-      for (const Place& d : directions) {
-        const Place to{centre.a + step * d.a, centre.b + step * d.b};
-        if (to.a < 0 || to.b < 0 || to.a + to.b > 1) continue;
-        if (const SharpestPoint s = at(to); s.curvature > best.curvature) best = s, from = to;
-      }
-      if (best.curvature - before <= 1e-6 * best.curvature) step /= 2;
+  void add(const ParameterBox& at, std::vector<Box>& boxes) const {
+    const std::vector<Parameters> hull = part_in(facet_, domain_, at);
+    if (hull.empty()) return;
+    CurvatureBound bound = curvature_bound(brep_, surface_, face_.sign, at, hull);
+    if (std::isnan(bound.greatest)) bound.greatest = infinity;
+    boxes.push_back({at, bound});
+    std::push_heap(boxes.begin(), boxes.end());
+  }
+
+  static std::array<ParameterBox, 2> halves(const Box& box) {
+    std::array<ParameterBox, 2> h{box.at, box.at};
+    if (box.bound.in_u)
+      h[0].u1 = h[1].u0 = box.at.u0 + (box.at.u1 - box.at.u0) / 2;
+    else
+      h[0].v1 = h[1].v0 = box.at.v0 + (box.at.v1 - box.at.v0) / 2;
+    return h;
+  }
+
+  // The domain cut at the knots; nothing when that is too often.
+  std::optional<std::vector<Box>> cells() const {
+    ParameterBox d = domain_.box;
+    keep_off_pole(facet_.u_pole, &Parameters::v, d.v0, d.v1);
+    keep_off_pole(facet_.v_pole, &Parameters::u, d.u0, d.u1);
+    const std::vector<double> u = span_cuts(brep_, surface_, 0, d.u0, d.u1),
+                              v = span_cuts(brep_, surface_, 1, d.v0, d.v1);
+    std::vector<Box> boxes;
+    if (u.size() * v.size() > most_cells) return std::nullopt;
+    for (std::size_t i = 0; i + 1 < u.size(); ++i) {
+      for (std::size_t j = 0; j + 1 < v.size(); ++j) add({u[i], u[i + 1], v[j], v[j + 1]}, boxes);
     }
-    return best;
+    return boxes;
+  }
+
+  void keep_off_pole(int pole, double Parameters::*across, double& low, double& high) const {
+    if (pole < 0) return;
+    const double there = facet_.corners[static_cast<std::size_t>(pole)].*across;
+    (there - low < high - there ? low : high) +=
+        (there - low < high - there ? 1 : -1) * beside_pole * (high - low);
+  }
+
+  // Along the sides of the triangle, which leave it on no side, and across.
+  void climb(SharpestPoint& best) const {
+    const auto& c = facet_.corners;
+    const double u = domain_.box.u1 - domain_.box.u0, v = domain_.box.v1 - domain_.box.v0;
+    const std::array<Parameters, 5> ways{{{c[1].u - c[0].u, c[1].v - c[0].v},
+                                          {c[2].u - c[1].u, c[2].v - c[1].v},
+                                          {c[0].u - c[2].u, c[0].v - c[2].v},
+                                          {u, 0},
+                                          {0, v}}};
+    for (double step = 0.1; step > 1e-4;) {
+      const SharpestPoint before = best;
+      for (const Parameters& way : ways) {
+        try_out({before.at.u + step * way.u, before.at.v + step * way.v}, best);
+        try_out({before.at.u - step * way.u, before.at.v - step * way.v}, best);
+      }
+      if (best.curvature - before.curvature <= hardly * best.curvature) step /= 2;
+    }
   }
 
   const BrepView& brep_;
   const FacetOrigin& facet_;
+  const FacetDomain& domain_;
+  double constant_;
   const Face& face_;
   const Surface& surface_;
-  std::array<std::vector<double>, 2> knots_;  // of u and v, inside the facet
 };
 
 }  // namespace
 
-SharpestPoint sharpest_point(const BrepView& brep, const FacetOrigin& facet) {
-  return Patch(brep, facet).sharpest();
+SharpestPoint sharpest_point(const BrepView& brep, const FacetOrigin& facet, const FacetDomain& domain,
+                             double constant) {
+  return Patch(brep, facet, domain, constant).sharpest();
 }
 
 }  // namespace gabarit

@@ -7,6 +7,7 @@
 #include "checks/facet_turns.h"
 #include "checks/patch_curvature.h"
 #include "checks/reading.h"
+#include "checks/rolled_ball.h"
 #include "model/edge_table.h"
 
 namespace gabarit {
@@ -30,6 +31,7 @@ class ExactRadius {
         region_(&region),
         turns_(facet_turns(*brep_, *mesh_, scene.device())),
         kinks_(kink_turns(*brep_, scene.device())),
+        constant_(rolled_balls(*brep_, scene.device())),
         other_(3 * mesh_->facet_count()) {
     for (std::size_t h = 0; h < other_.size(); ++h) other_[h] = static_cast<HalfEdgeId>(h);
     EdgeTable(*mesh_).for_each_edge([&](std::span<const HalfEdgeId> edge) {
@@ -40,12 +42,19 @@ class ExactRadius {
   Reading read(FacetId f) const {
     Reading reading;
     if (facet_normal(*mesh_, f) == Vec3d{}) return degenerate(f);
-    const SharpestPoint point = sharpest_point(arrays_, brep_->facets[f]);
+    const FacetOrigin& origin = brep_->facets[f];
+    const double constant = constant_[origin.face];
+    const bool by_kind =
+        constant > 0 || alike_everywhere(brep_->surfaces[brep_->faces[origin.face].surface].kind);
+    const HalfEdgeId h = 3 * f;
+    const FacetDomain domain =
+        by_kind ? FacetDomain{} : facet_domain(*brep_, f, {other_[h], other_[h + 1], other_[h + 2]});
+    const SharpestPoint point = sharpest_point(arrays_, origin, domain, constant);
     if (std::isnan(point.curvature)) return unknown(f);
     reading.value = reading.upper = radius(point.curvature);
     reading.lower = radius(point.most);
     reading.absence = Absence::none;
-    reading.at = face_point(arrays_, brep_->faces[brep_->facets[f].face], point.at).p;
+    reading.at = face_point(arrays_, brep_->faces[origin.face], point.at).p;
     reading.contact = reading.at;
     for (std::uint32_t e = 0; e < 3; ++e) look_at_edge(f, e, reading);
     if (!kinks_.empty() && kinks_[f] > smooth_turn) make_sharp(mesh_->centroid(f), reading);
@@ -53,6 +62,10 @@ class ExactRadius {
   }
 
  private:
+  static bool alike_everywhere(SurfaceKind kind) {
+    return kind == SurfaceKind::plane || kind == SurfaceKind::cylinder || kind == SurfaceKind::sphere;
+  }
+
   // The surface has no normal there: nothing is known of it.
   Reading unknown(FacetId f) const {
     Reading reading;
@@ -102,6 +115,7 @@ class ExactRadius {
   BrepView arrays_;
   const Region* region_;
   std::vector<float> turns_, kinks_;
+  std::vector<double> constant_;   // by face: see rolled_balls
   std::vector<HalfEdgeId> other_;  // by half-edge: the one on the other side, itself at free edges
 };
 

@@ -139,11 +139,7 @@ void StepFiles::SetUp() {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   STEPCAFControl_Controller::Init();
   IGESControl_Controller::Init();
-  const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-  folder = std::filesystem::path(testing::TempDir()) / (std::string(test->test_suite_name()) + test->name());
-  std::filesystem::create_directories(folder);
 }
-void StepFiles::TearDown() { std::filesystem::remove_all(folder); }
 
 std::filesystem::path StepFiles::step(const TopoDS_Shape& shape, const std::string& unit) const {
   Interface_Static::SetCVal("write.step.unit", unit.c_str());

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "model/load.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit::step_shapes {
 
@@ -46,7 +47,6 @@ struct NamedShape {
 class StepFiles : public testing::Test {
  protected:
   void SetUp() override;
-  void TearDown() override;
 
   // The file; `unit` is "MM", "INCH" or "M".
   std::filesystem::path step(const TopoDS_Shape& shape, const std::string& unit = "MM") const;
@@ -62,7 +62,9 @@ class StepFiles : public testing::Test {
   std::filesystem::path nested(const std::vector<NamedShape>& parts, const gp_Trsf& one,
                                const gp_Trsf& other) const;
   std::filesystem::path text(const std::string& name, const std::string& content) const;
-  std::filesystem::path folder;
+
+  const TemporaryFolder temporary;
+  const std::filesystem::path folder = temporary.path();
 };
 
 // Fails the test when the file cannot be read.

@@ -7,7 +7,7 @@
 
 #include "tests/cli/run_gabarit.h"
 #include "tests/model/mesh_files.h"
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

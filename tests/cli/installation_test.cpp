@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/cli/run_gabarit.h"
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 

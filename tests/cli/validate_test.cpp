@@ -5,7 +5,7 @@
 
 #include "rules/read_rules.h"
 #include "tests/cli/run_gabarit.h"
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "examples/motorcycle/motorcycle.h"
 #include "model/load.h"
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit::motorcycle {
 namespace {

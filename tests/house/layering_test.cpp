@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/house/includes.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit::house {
 namespace {
@@ -17,16 +18,10 @@ const fs::path source_tree = GABARIT_SOURCE_DIR;
 
 class PlantedTree : public testing::Test {
  protected:
-  void SetUp() override {
-    tree_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(tree_);
-  }
-  void TearDown() override { fs::remove_all(tree_); }
-  void plant(const std::string& file, const std::string& text) {
-    fs::create_directories((tree_ / file).parent_path());
-    std::ofstream(tree_ / file) << text;
-  }
-  fs::path tree_;
+  void plant(const std::string& file, const std::string& text) { put(tree_ / file, text); }
+
+  const TemporaryFolder folder_;
+  const fs::path tree_ = folder_.path();
 };
 
 TEST(Layering, no_include_of_the_project_runs_against_the_arrows) {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit::mesh_files {
 

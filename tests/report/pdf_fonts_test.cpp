@@ -3,7 +3,7 @@
 #include "report/pdf/fonts.h"
 #include "tests/report/pdf_text.h"
 #include "tests/report/sample_report.h"
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

@@ -5,7 +5,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 

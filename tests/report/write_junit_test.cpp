@@ -34,6 +34,15 @@ TEST(junit_xml, a_violation_is_a_failure_that_says_where) {
               HasSubstr("failing/1: radius 2.25 mm (2 to 2.5), required: at least 4 mm, at (1.0, 2.0, 3.0)"));
 }
 
+TEST(junit_xml, a_finding_names_its_body_and_on_exact_surfaces_its_face) {
+  SampleReport sample;
+  EXPECT_THAT(junit_xml(sample.report()), HasSubstr(", at (1.0, 2.0, 3.0)\n"));
+  sample.add_exact_faces();
+  sample.rule("failing").findings[0].faces = {0, 1};
+  EXPECT_THAT(junit_xml(sample.report()),
+              HasSubstr(", at (1.0, 2.0, 3.0), body body, face 1 'Deckfläche', a plane, faces 0, 1\n"));
+}
+
 TEST(junit_xml, undecided_and_not_run_never_look_like_a_pass) {
   EXPECT_THAT(test_case("undecided"), HasSubstr("<error type=\"undecided\""));
   EXPECT_THAT(test_case("broken"), HasSubstr("<error type=\"not_run\""));

@@ -9,8 +9,8 @@
 #include "rules/totals.h"
 #include "tests/report/pdf_text.h"
 #include "tests/report/sample_report.h"
-#include "tests/report/temporary_folder.h"
 #include "tests/shapes.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/report/sample_report.h"
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

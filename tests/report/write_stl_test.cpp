@@ -6,8 +6,8 @@
 
 #include "model/load.h"
 #include "tests/report/sample_report.h"
-#include "tests/report/temporary_folder.h"
 #include "tests/shapes.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

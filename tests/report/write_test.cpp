@@ -4,7 +4,7 @@
 
 #include "report/output_set.h"
 #include "tests/report/sample_report.h"
-#include "tests/report/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {

@@ -1,15 +1,14 @@
 #include "rules/read_rules.h"
 
-#include <fstream>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "checks/height.h"
 #include "rules/region.h"
 #include "tests/rules/language.h"
+#include "tests/temporary_folder.h"
 
 namespace gabarit {
 namespace {
@@ -300,13 +299,11 @@ TEST(ReadRules, files_that_cannot_be_read_say_why) {
 }
 
 TEST(ReadRules, a_file_is_read_from_disk_and_keeps_its_name_without_the_folder) {
-  const auto place =
-      std::filesystem::temp_directory_path() / ("gabarit-rules-" + std::to_string(::getpid()) + ".yaml");
-  std::ofstream(place, std::ios::binary) << complete;
-  const auto read = read_rules(place, language::catalogue());
-  std::filesystem::remove(place);
+  const TemporaryFolder folder;
+  put(folder / "some.yaml", complete);
+  const auto read = read_rules(folder / "some.yaml", language::catalogue());
   ASSERT_TRUE(read);
-  EXPECT_EQ(read->file, place.filename().string());
+  EXPECT_EQ(read->file, "some.yaml");
   EXPECT_EQ(read->text, complete);
 }
 
