@@ -44,10 +44,15 @@ static std::string verdict_word(Verdict verdict, const TerminalStyle& style) {
 
 static std::string line(const std::string& text) { return std::string(15, ' ') + printable(text) + '\n'; }
 
+static std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
 static std::string finding_line(const Finding& f, const RuleResult& result, const Model& model) {
   const std::string face = face_text(model, f.worst.facet);
-  return line(fmt::format("{}  {}: {}; {} facets, {} mm²{}{}", f.id, name(f.verdict),
-                          worst_sentence(f.worst, result.rule.require), f.facets.size(), number_text(f.area),
+  return line(fmt::format("{}  {}: {}; {}, {} mm²{}{}", f.id, name(f.verdict),
+                          worst_sentence(f.worst, result.rule.require),
+                          counted(f.facets.size(), "facet", "facets"), number_text(f.area),
                           f.body.empty() ? "" : ", body " + f.body, face.empty() ? "" : ", " + face));
 }
 
@@ -80,8 +85,9 @@ static std::string rule_block(const RuleResult& result, const TerminalStyle& sty
 static std::string heading(const Report& report) {
   const Model& m = *report.model;
   const Vec3d size = m.box.extent();
-  return printable(fmt::format("gabarit {}  {}  {} facets, {} bodies, {} × {} × {} mm", report.version,
-                               m.file, m.mesh.facet_count(), m.bodies.size(), number_text(size.x),
+  return printable(fmt::format("gabarit {}  {}  {}, {}, {} × {} × {} mm", report.version, m.file,
+                               counted(m.mesh.facet_count(), "facet", "facets"),
+                               counted(m.bodies.size(), "body", "bodies"), number_text(size.x),
                                number_text(size.y), number_text(size.z))) +
          "\n\n";
 }

@@ -22,15 +22,15 @@ struct Counts {
   }
 };
 
-// "failing/1: radius 2.25 mm …, body tank, face 12 'Top', a plane".
+// "failing/1: radius 2.25 mm …, body tank, face 12 'Top', a plane; over faces 3, 12".
 static std::string finding_line(const Finding& f, const RuleResult& result, const Model& model) {
   const std::string face = face_text(model, f.worst.facet), faces = faces_text(f);
   std::string text =
       fmt::format("{} {}: {}", name(f.verdict), f.id, worst_sentence(f.worst, result.rule.require));
-  for (const std::string& part : {f.body.empty() ? "" : "body " + f.body, face, faces}) {
+  for (const std::string& part : {f.body.empty() ? "" : "body " + f.body, face}) {
     if (!part.empty()) text += ", " + part;
   }
-  return text + '\n';
+  return text + (faces.empty() ? "" : "; over " + faces) + '\n';
 }
 
 static std::string body(const RuleResult& result, const Model& model) {

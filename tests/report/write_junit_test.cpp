@@ -40,7 +40,7 @@ TEST(junit_xml, a_finding_names_its_body_and_on_exact_surfaces_its_face) {
   sample.add_exact_faces();
   sample.rule("failing").findings[0].faces = {0, 1};
   EXPECT_THAT(junit_xml(sample.report()),
-              HasSubstr(", at (1.0, 2.0, 3.0), body body, face 1 'Deckfläche', a plane, faces 0, 1\n"));
+              HasSubstr(", at (1.0, 2.0, 3.0), body body, face 1 'Deckfläche', a plane; over faces 0, 1\n"));
 }
 
 TEST(junit_xml, undecided_and_not_run_never_look_like_a_pass) {
