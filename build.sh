@@ -124,6 +124,13 @@ licence_texts() {
   cuda=$(find -L /usr/local/cuda -path '*cuda_runtime*' -type f -iname 'license*' -print -quit 2>/dev/null || true)
   if [ -z "$cuda" ]; then cuda=$(find -L /usr/local/cuda -maxdepth 2 -type f -iname 'EULA*' -print -quit 2>/dev/null || true); fi
   if [ -n "$cuda" ]; then cp "$cuda" "$folder/cuda-runtime.txt"; fi
+  # Each text once.
+  local texts=("$folder"/*) i
+  for ((i = 1; i < ${#texts[@]}; ++i)); do
+    for file in "${texts[@]:0:i}"; do
+      if [ ! -L "$file" ] && cmp -s "$file" "${texts[i]}"; then ln -sf "${file##*/}" "${texts[i]}"; break; fi
+    done
+  done
 }
 
 bundle() {
